@@ -1,0 +1,23 @@
+# sluice_embed(<target> HEADER <path> NAMESPACE <ns> FILES ...)
+# compiles text files into <target>, so that a program needs nothing beside itself. <path> (as in #include) declares
+#   std::span<const EmbeddedFile> embeddedFiles();   // {name, text}, sorted by name
+# in <ns>; names are file names without directories.
+function(sluice_embed target)
+  cmake_parse_arguments(ARG "" "HEADER;NAMESPACE" "FILES" ${ARGN})
+  set(directory ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+  set(source ${directory}/${target}_embedded.cpp)
+  list(SORT ARG_FILES)
+  set(absolute "")
+  foreach(file IN LISTS ARG_FILES)
+    cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+    list(APPEND absolute ${file})
+  endforeach()
+  add_custom_command(
+    OUTPUT ${source} ${directory}/${ARG_HEADER}
+    COMMAND ${CMAKE_COMMAND} "-DFILES=${absolute}" -DHEADER=${ARG_HEADER} -DNAMESPACE=${ARG_NAMESPACE}
+            -DDIRECTORY=${directory} -DSOURCE=${source} -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${absolute} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    VERBATIM)
+  target_sources(${target} PRIVATE ${source} ${directory}/${ARG_HEADER})
+  target_include_directories(${target} PRIVATE ${directory})
+endfunction()

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "sluice/core/stage_times.h"
+
+namespace sluice::core {
+
+/// How the last time step went.
+struct StepStatistics {
+  std::uint64_t steps = 0;     ///< Steps since the initial state.
+  double timeStepSeconds = 0;  ///< Length of the last step, s.
+  std::string timeStepLimit;   ///< The bound that set it: "cfl", "max_seconds", …
+  std::uint32_t densityIterations = 0;
+  std::uint32_t divergenceIterations = 0;
+  double meanDensityError = 0;  ///< Mean compression relative to the rest density (0.0005 is 0.05 %).
+  double maxDensityError = 0;   ///< Largest compression of any particle, likewise.
+  double maxSpeed = 0;          ///< m/s.
+  StageTimes stages;            ///< Milliseconds of each stage of the last step.
+};
+
+/// The particles at one moment, frozen: made by one thread, read by any. Structure of arrays; every array is either
+/// empty (the source does not know it) or has one element per particle, and all arrays share one order.
+struct ParticleSnapshot {
+  std::uint64_t sequence = 0;  ///< Counts snapshots of one run of the program; never repeats.
+  double time = 0;             ///< Simulated time, s.
+  double spacing = 0;          ///< Initial particle spacing d, m; > 0.
+  double restDensity = 1000;   ///< kg/m³.
+
+  std::vector<Eigen::Vector3f> positions;   ///< m; finite.
+  std::vector<Eigen::Vector3f> velocities;  ///< m/s.
+  std::vector<float> densities;             ///< kg/m³.
+  std::vector<std::uint32_t> ids;           ///< Stable over time, whatever the order of the arrays.
+
+  /// Axis-aligned bounds of `positions`; empty for no particles.
+  Eigen::AlignedBox3f bounds;
+
+  StepStatistics statistics;
+
+  std::size_t size() const { return positions.size(); }
+};
+
+/// The bounds of a set of points.
+Eigen::AlignedBox3f boundsOf(const std::vector<Eigen::Vector3f>& positions);
+
+}  // namespace sluice::core

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "sluice/core/camera.h"
+#include "sluice/core/frame.h"
+#include "sluice/core/particle_snapshot.h"
+#include "sluice/core/plan.h"
+#include "sluice/gl/context.h"
+#include "sluice/v1/scene.pb.h"
+
+namespace sluice::render {
+
+/// Draws particles as liquid. Lives on the thread of its context. Buffers are kept between frames of equal plans.
+class FluidRenderer {
+ public:
+  /// `context` must outlive the renderer.
+  explicit FluidRenderer(gl::Context& context);
+  ~FluidRenderer();
+  FluidRenderer(const FluidRenderer&) = delete;
+  FluidRenderer& operator=(const FluidRenderer&) = delete;
+
+  /// Plans and draws one picture. `look` and `background` belong to a complete, valid scene. The frame's tag carries
+  /// the time of every pass and of the read-back; the caller fills in the rest of it.
+  core::Frame render(const core::ParticleSnapshot& particles, const v1::Look& look, const v1::Background& background,
+                     const core::Camera& camera, core::ImageSize size);
+
+  /// What the last frame ran and left out.
+  const core::Plan& plan() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sluice::render

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "sluice/core/particle_source.h"
+#include "sluice/v1/scene.pb.h"
+
+namespace sluice::sim {
+
+/// A fluid simulation of the complete, valid scene (which must have `simulation` set) in its initial state.
+/// The particles depend on the scene and its seed alone, bit for bit, whatever `threads` (0: one for each core).
+/// Throws core::InputError with the field path where the scene cannot be simulated (fluid outside the container…).
+std::unique_ptr<core::ParticleSource> makeSimulation(const v1::Scene& scene, int threads = 0);
+
+}  // namespace sluice::sim
