@@ -30,6 +30,9 @@ class ParticleSource {
   /// A frozen copy of the present state. `sequence` is left 0 for the owner to fill in.
   virtual std::unique_ptr<ParticleSnapshot> snapshot() const = 0;
 
+  /// How the last step went; sources that can tell without copying their particles do.
+  virtual StepStatistics statistics() const { return snapshot()->statistics; }
+
   /// Takes over the live fields of a complete, valid scene; the caller restarts the source where a field that needs
   /// it has changed. Throws InputError, and keeps its state, where a value cannot be taken.
   virtual void update(const v1::Scene& scene) = 0;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace sluice::app {
+
+/// What a verb does once the command line is read; its result is the exit code.
+using Command = std::function<int()>;
+
+// Each declares a verb of `sluice-server`; when it is the one given, `chosen` is set to its command.
+void addServeCommand(CLI::App& program, Command& chosen);
+void addRenderCommand(CLI::App& program, Command& chosen);
+void addSimulateCommand(CLI::App& program, Command& chosen);
+void addPlanCommand(CLI::App& program, Command& chosen);
+void addScenesCommand(CLI::App& program, Command& chosen);
+void addParametersCommand(CLI::App& program, Command& chosen);
+
+}  // namespace sluice::app

@@ -1,0 +1,43 @@
+#include "sluice/app/live_scene.h"
+
+#include "sluice/core/input_error.h"
+#include "sluice/scene/scene.h"
+#include "sluice/sim/simulation.h"
+#include "sluice/sources/particle_playback.h"
+
+namespace sluice::app {
+
+LiveScene loadScene(const std::string& nameOrPath, const std::vector<std::string>& assignments) {
+  LiveScene live;
+  if (scene::isShipped(nameOrPath)) {
+    live.name = nameOrPath;
+    live.scene = scene::loadShipped(nameOrPath);
+  } else if (sources::isParticleFile(nameOrPath)) {
+    live.scene = sources::sceneForParticleFile(nameOrPath);
+  } else if (nameOrPath.ends_with(".textproto")) {
+    live.scene = scene::load(nameOrPath);
+  } else {
+    std::string names;
+    for (const scene::ShippedScene& shipped : scene::shippedScenes()) {
+      names += (names.empty() ? "" : ", ") + shipped.name;
+    }
+    throw core::InputError(nameOrPath, "",
+                           "is neither a shipped scene (" + names +
+                               "), nor a .textproto, nor a particle file (.bgeo, .bgeo.gz, .vtk, .ply, .xyz, .csv)");
+  }
+  if (!assignments.empty()) scene::assign(live.scene, assignments);
+  return live;
+}
+
+std::unique_ptr<core::ParticleSource> openSource(const v1::Scene& scene, int threads) {
+  switch (scene.source_case()) {
+    case v1::Scene::kSimulation:
+      return sim::makeSimulation(scene, threads);
+    case v1::Scene::kParticleFile:
+      return sources::openParticlePlayback(scene);
+    default:
+      throw core::InputError("", "source", "the scene has no source of particles");
+  }
+}
+
+}  // namespace sluice::app

@@ -1,0 +1,54 @@
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+#include "sluice/app/version.h"
+#include "sluice/core/input_error.h"
+
+namespace {
+
+// Exit codes: what the caller gave can be mended by the caller; what the machine lacks can not.
+constexpr int kEnvironmentFailed = 1;
+constexpr int kInputRefused = 2;
+
+int report(const std::exception& error, int exitCode) {
+  std::fprintf(stderr, "sluice-server: %s\n", error.what());
+  return exitCode;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace sluice;
+
+  CLI::App program("Runs particle fluids, draws them as liquid, and streams the pictures.", "sluice-server");
+  program.set_version_flag("--version", app::kVersion);
+  program.require_subcommand(1);
+
+  app::Command chosen;
+  app::addServeCommand(program, chosen);
+  app::addRenderCommand(program, chosen);
+  app::addSimulateCommand(program, chosen);
+  app::addPlanCommand(program, chosen);
+  app::addScenesCommand(program, chosen);
+  app::addParametersCommand(program, chosen);
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : kInputRefused;
+  }
+
+  try {
+    return chosen();
+  } catch (const core::InputError& error) {
+    return report(error, kInputRefused);
+  } catch (const std::bad_alloc&) {
+    return report(core::EnvironmentError("not enough memory"), kEnvironmentFailed);
+  } catch (const std::exception& error) {
+    return report(error, kEnvironmentFailed);
+  }
+}

@@ -1,0 +1,43 @@
+#include "sluice/app/to_proto.h"
+
+namespace sluice::app {
+
+v1::Stats toProto(const core::StepStatistics& statistics) {
+  v1::Stats stats;
+  stats.set_steps(statistics.steps);
+  stats.set_time_step_seconds(statistics.timeStepSeconds);
+  stats.set_time_step_limit(statistics.timeStepLimit);
+  stats.set_density_iterations(statistics.densityIterations);
+  stats.set_divergence_iterations(statistics.divergenceIterations);
+  stats.set_mean_density_error(statistics.meanDensityError);
+  stats.set_max_density_error(statistics.maxDensityError);
+  for (const core::StageTime& stage : statistics.stages) {
+    v1::StageTime& out = *stats.add_stages();
+    out.set_name(stage.name);
+    out.set_milliseconds(stage.milliseconds);
+  }
+  return stats;
+}
+
+v1::Plan toProto(const core::Plan& plan) {
+  v1::Plan out;
+  for (const core::PlannedStage& stage : plan.stages) {
+    v1::Plan::Stage& s = *out.add_stages();
+    s.set_name(stage.name);
+    for (const std::string& read : stage.reads) s.add_reads(read);
+    for (const std::string& write : stage.writes) s.add_writes(write);
+  }
+  for (const core::PlannedBuffer& buffer : plan.buffers) {
+    v1::Plan::Buffer& b = *out.add_buffers();
+    b.set_name(buffer.name);
+    b.set_bytes(buffer.bytes);
+  }
+  for (const core::LeftOut& leftOut : plan.leftOut) {
+    v1::Plan::LeftOut& l = *out.add_left_out();
+    l.set_name(leftOut.name);
+    l.set_reason(leftOut.reason);
+  }
+  return out;
+}
+
+}  // namespace sluice::app
