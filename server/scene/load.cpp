@@ -1,0 +1,37 @@
+#include <fstream>
+#include <iterator>
+
+#include "sluice/core/input_error.h"
+#include "sluice/scene/scene.h"
+
+namespace sluice::scene {
+
+using core::InputError;
+
+v1::Scene load(const std::filesystem::path& file) {
+  // A thousand blocks take about 100 kB.
+  constexpr std::uintmax_t kLargestFile = 4U << 20U;
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw InputError(file.string(), "", "no such file");
+  if (!std::filesystem::is_regular_file(status)) throw InputError(file.string(), "", "is not a file");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) throw InputError(file.string(), "", "cannot be read: " + error.message());
+  if (size > kLargestFile) {
+    throw InputError(file.string(), "",
+                     "has " + std::to_string(size) + " bytes; a scene has at most " + std::to_string(kLargestFile));
+  }
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream || text.size() < size) throw InputError(file.string(), "", "cannot be read");
+
+  v1::Scene scene = parse(text, file.string());
+  if (scene.has_particle_file()) {
+    std::string& path = *scene.mutable_particle_file()->mutable_path();
+    // An absolute path on the right replaces the folder.
+    path = (file.parent_path() / path).lexically_normal().string();
+  }
+  return scene;
+}
+
+}  // namespace sluice::scene
