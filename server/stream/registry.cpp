@@ -1,0 +1,41 @@
+#include "registry.h"
+
+#include <utility>
+
+namespace sluice::stream {
+
+core::ViewerId Registry::newId() {
+  const std::lock_guard lock(mutex_);
+  return ++lastId_;
+}
+
+void Registry::add(core::ViewerId viewer, std::shared_ptr<Session> session) {
+  const std::lock_guard lock(mutex_);
+  sessions_.emplace(viewer, std::move(session));
+}
+
+void Registry::remove(core::ViewerId viewer) {
+  const std::lock_guard lock(mutex_);
+  sessions_.erase(viewer);
+}
+
+std::shared_ptr<Session> Registry::find(core::ViewerId viewer) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = sessions_.find(viewer);
+  return found != sessions_.end() ? found->second : nullptr;
+}
+
+std::vector<std::shared_ptr<Session>> Registry::all() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::shared_ptr<Session>> sessions;
+  sessions.reserve(sessions_.size());
+  for (const auto& [viewer, session] : sessions_) sessions.push_back(session);
+  return sessions;
+}
+
+std::size_t Registry::size() const {
+  const std::lock_guard lock(mutex_);
+  return sessions_.size();
+}
+
+}  // namespace sluice::stream
