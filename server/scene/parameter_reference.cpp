@@ -17,7 +17,7 @@ protobuf text format. A vector that a scene gives in part has 0 in the component
 takes effect from the next step or frame on; a *restart* one starts the scene again from its initial state.
 )";
 
-std::string cell(const std::string& text) { return text.empty() ? "" : " " + text + " "; }
+std::string cell(const std::string& text) { return text.empty() ? " " : " " + text + " "; }
 
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 

@@ -91,8 +91,8 @@ Location locate(const TextFormat::ParseInfoTree& root, const FieldPath& path) {
   const TextFormat::ParseInfoTree* tree = &root;
   for (const FieldStep& step : path) {
     const TextFormat::ParseLocation here = tree->GetLocation(step.field, step.index);
-    if (here.line < 0) break;
-    best = {here.line, here.column};
+    // Elements after the first of a list in brackets have no place of their own, but their fields do.
+    if (here.line >= 0) best = {here.line, here.column};
     if (step.field->cpp_type() != google::protobuf::FieldDescriptor::CPPTYPE_MESSAGE) break;
     tree = tree->GetTreeForNested(step.field, step.index);
     if (tree == nullptr) break;

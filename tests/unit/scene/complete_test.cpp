@@ -1,0 +1,71 @@
+#include "support.h"
+
+namespace sluice::scene::test {
+namespace {
+
+TEST(Complete, WritesEveryDefaultOut) {
+  v1::Liquid liquid;
+  complete(liquid);
+  EXPECT_TRUE(liquid.has_refractive_index());
+  EXPECT_DOUBLE_EQ(liquid.refractive_index(), 1.333);
+  EXPECT_TRUE(liquid.has_opaque());
+  EXPECT_DOUBLE_EQ(liquid.absorption().y(), 0.55);
+}
+
+TEST(Complete, KeepsWhatIsSet) {
+  v1::Liquid liquid;
+  liquid.set_refractive_index(2);
+  liquid.set_specular(0);
+  complete(liquid);
+  EXPECT_EQ(liquid.refractive_index(), 2);
+  EXPECT_EQ(liquid.specular(), 0);
+}
+
+TEST(Complete, GivesZeroToTheOtherComponentsOfAVector) {
+  v1::Liquid liquid;
+  liquid.mutable_absorption()->set_x(5);
+  complete(liquid);
+  EXPECT_TRUE(liquid.absorption().has_y());
+  EXPECT_EQ(liquid.absorption().y(), 0) << "not 0.55, the default's component";
+}
+
+TEST(Complete, ChoosesDefaultMembers) {
+  v1::Smoothing smoothing;
+  complete(smoothing);
+  EXPECT_TRUE(smoothing.has_curvature_flow());
+  EXPECT_TRUE(smoothing.curvature_flow().has_step_fraction());
+}
+
+TEST(Complete, KeepsTheChosenMember) {
+  v1::Smoothing smoothing;
+  smoothing.mutable_bilateral();
+  complete(smoothing);
+  EXPECT_TRUE(smoothing.has_bilateral());
+  EXPECT_TRUE(smoothing.bilateral().has_depth_deviation_in_radii());
+}
+
+TEST(Complete, FillsTheElementsOfLists) {
+  v1::Fluid fluid;
+  fluid.add_blocks();
+  fluid.add_blocks();
+  complete(fluid);
+  EXPECT_TRUE(fluid.blocks(1).has_count_z());
+  EXPECT_TRUE(fluid.blocks(1).has_velocity());
+}
+
+TEST(Complete, LeavesRequiredFieldsToTheScene) {
+  v1::Scene scene;
+  complete(scene);
+  EXPECT_TRUE(scene.has_simulation());
+  EXPECT_FALSE(scene.simulation().has_container());
+}
+
+TEST(Complete, IsIdempotent) {
+  const v1::Scene scene = smallScene();
+  v1::Scene again = scene;
+  complete(again);
+  EXPECT_EQ(again.SerializeAsString(), scene.SerializeAsString());
+}
+
+}  // namespace
+}  // namespace sluice::scene::test
