@@ -30,10 +30,10 @@ TEST(Complete, GivesZeroToTheOtherComponentsOfAVector) {
 }
 
 TEST(Complete, ChoosesDefaultMembers) {
-  v1::Smoothing smoothing;
-  complete(smoothing);
-  EXPECT_TRUE(smoothing.has_curvature_flow());
-  EXPECT_TRUE(smoothing.curvature_flow().has_step_fraction());
+  v1::Simulation simulation;
+  complete(simulation);
+  EXPECT_TRUE(simulation.has_dfsph());
+  EXPECT_TRUE(simulation.dfsph().has_max_iterations());
 }
 
 TEST(Complete, KeepsTheChosenMember) {

@@ -34,9 +34,9 @@ TEST(Parameters, CarryTheirAnnotations) {
 
 TEST(Parameters, NameTheirChoice) {
   EXPECT_EQ(find("look.smoothing.curvature_flow").choiceOf, "look.smoothing.method");
-  EXPECT_TRUE(find("look.smoothing.curvature_flow").chosenByDefault);
-  EXPECT_FALSE(find("look.smoothing.bilateral").chosenByDefault);
   EXPECT_EQ(find("particle_file").choiceOf, "source");
+  EXPECT_TRUE(find("simulation").chosenByDefault);
+  EXPECT_FALSE(find("particle_file").chosenByDefault);
 }
 
 TEST(Parameters, LeaveNeitherBarsNorBreaksInTheTable) {

@@ -58,9 +58,11 @@ TEST(Update, DoesNotRestartForAnEqualValue) {
 }
 
 TEST(Update, DoesNotRestartForAnotherLook) {
+  v1::Scene scene = smallScene();
+  scene.mutable_look()->mutable_smoothing()->mutable_curvature_flow();
   v1::Scene partial;
   partial.mutable_look()->mutable_smoothing()->mutable_bilateral();
-  const Update update = applyUpdate(smallScene(), partial, maskOf({"look.smoothing.bilateral"}));
+  const Update update = applyUpdate(scene, partial, maskOf({"look.smoothing.bilateral"}));
   EXPECT_TRUE(update.scene.look().smoothing().has_bilateral());
   EXPECT_TRUE(update.scene.look().smoothing().bilateral().has_depth_deviation_in_radii());
   EXPECT_FALSE(update.restart);
