@@ -1,0 +1,33 @@
+#include "frame_context.h"
+
+#include "sluice/render/embedded_shaders.h"
+
+namespace sluice::render {
+
+const gl::ShaderLibrary& shaders() {
+  static const gl::ShaderLibrary library = [] {
+    std::vector<gl::ShaderSource> sources;
+    for (const EmbeddedFile& file : embeddedFiles()) sources.push_back({file.name, file.text});
+    return gl::ShaderLibrary(std::move(sources));
+  }();
+  return library;
+}
+
+void beginTarget(const FrameContext& frame, Resource resource) {
+  const core::ImageSize size = frame.targets.size(resource);
+  glBindFramebuffer(GL_FRAMEBUFFER, frame.targets.framebuffer(resource));
+  glViewport(0, 0, size.width, size.height);
+  glDisable(GL_BLEND);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_CLIP_DISTANCE0);
+}
+
+void keepToLiquid() {
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_EQUAL, 1, 0xFF);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+}
+
+void drawPicture() { glDrawArrays(GL_TRIANGLES, 0, 3); }
+
+}  // namespace sluice::render

@@ -1,0 +1,63 @@
+#include "frame_uniforms.h"
+
+#include <numbers>
+
+namespace sluice::render {
+
+namespace {
+
+FrameUniforms::Vec4 pack(const Eigen::Vector3f& v, float w) { return {v.x(), v.y(), v.z(), w}; }
+
+FrameUniforms::Vec4 pack(const v1::Vec3& v, double w = 0) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
+}
+
+}  // namespace
+
+float SplatScale::volumeFactor() const {
+  const float splatVolume = 4.0F / 3.0F * std::numbers::pi_v<float> * radius * radius * radius;
+  return spacing * spacing * spacing / splatVolume;
+}
+
+SplatScale splatScale(const v1::Splats& splats, double spacing) {
+  SplatScale scale;
+  scale.spacing = static_cast<float>(spacing);
+  scale.radius = static_cast<float>(splats.radius_in_spacings() * spacing);
+  // A tenth of a radius: near enough that an eye just outside the liquid sees its surface, far enough that inverse
+  // depths stay within a few powers of ten.
+  scale.nearDepth = 0.1F * scale.radius;
+  return scale;
+}
+
+Eigen::Vector3f sunDirection(const v1::Background& background) {
+  const v1::Vec3& sun = background.sun_direction();
+  return Eigen::Vector3d(sun.x(), sun.y(), sun.z()).normalized().cast<float>();
+}
+
+FrameUniforms makeFrameUniforms(const ViewGeometry& view, const SplatScale& scale, const v1::Look& look,
+                                const v1::Background& background) {
+  const v1::Liquid& liquid = look.liquid();
+  const auto width = static_cast<float>(view.size.width);
+  const auto height = static_cast<float>(view.size.height);
+  FrameUniforms u{};
+  u.eyeAndNear = pack(view.eye, scale.nearDepth);
+  u.rightAndSlope = pack(view.right, view.maxSlope.x());
+  u.downAndSlope = pack(view.down, view.maxSlope.y());
+  u.forwardAndPixel = pack(view.forward, view.pixelSlope);
+  u.pictureSize = {width, height, 1.0F / width, 1.0F / height};
+  u.splat = {scale.radius, scale.volumeFactor(), scale.spacing, 0.0F};
+  u.floorAndHaze = {static_cast<float>(background.floor_height()), static_cast<float>(background.tile_size()),
+                    background.floor() ? 1.0F : 0.0F, static_cast<float>(background.haze_distance())};
+  u.tileLight = pack(background.tile_light());
+  u.tileDark = pack(background.tile_dark());
+  u.skyZenith = pack(background.sky_zenith());
+  u.skyHorizon = pack(background.sky_horizon());
+  u.sun = pack(sunDirection(background), 0.0F);
+  u.absorptionAndIndex = pack(liquid.absorption(), liquid.refractive_index());
+  u.scatterAndGloss = pack(liquid.scatter_colour(), liquid.shininess());
+  u.colourAndSpecular = pack(liquid.colour(), liquid.specular());
+  u.shadow = {static_cast<float>(background.shadow()), 0.0F, 0.0F, 0.0F};
+  return u;
+}
+
+}  // namespace sluice::render

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+
+#include "sluice/v1/scene.pb.h"
+#include "view_geometry.h"
+
+namespace sluice::render {
+
+/// What every pass knows of the frame, as std140 lays it out. Mirrors shaders/frame_uniforms.glsl, where each member is
+/// described; a test compares the two.
+struct FrameUniforms {
+  using Vec4 = std::array<float, 4>;
+
+  Vec4 eyeAndNear;
+  Vec4 rightAndSlope;
+  Vec4 downAndSlope;
+  Vec4 forwardAndPixel;
+  Vec4 pictureSize;
+  Vec4 splat;
+  Vec4 floorAndHaze;
+  Vec4 tileLight;
+  Vec4 tileDark;
+  Vec4 skyZenith;
+  Vec4 skyHorizon;
+  Vec4 sun;
+  Vec4 absorptionAndIndex;
+  Vec4 scatterAndGloss;
+  Vec4 colourAndSpecular;
+  Vec4 shadow;
+};
+
+/// Sizes of a frame's splats, m.
+struct SplatScale {
+  float spacing = 1;
+  float radius = 1;
+  float nearDepth = 0;
+
+  /// κ = V/(4/3·πR³): a particle's volume V = d³ over that of its splat, so that thickness sums to the liquid's volume.
+  float volumeFactor() const;
+};
+
+SplatScale splatScale(const v1::Splats& splats, double spacing);
+
+/// Unit vector towards the sun.
+Eigen::Vector3f sunDirection(const v1::Background& background);
+
+/// Everything but the shadow map's place, which is left 0.
+FrameUniforms makeFrameUniforms(const ViewGeometry& view, const SplatScale& scale, const v1::Look& look,
+                                const v1::Background& background);
+
+}  // namespace sluice::render

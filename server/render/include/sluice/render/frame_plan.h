@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sluice/core/camera.h"
+#include "sluice/core/plan.h"
+#include "sluice/v1/scene.pb.h"
+
+namespace sluice::render {
+
+/// Everything a frame may run, in the order in which it runs.
+enum class Pass : std::uint8_t {
+  Background,
+  GroundShadow,
+  SelectSplats,
+  Splats,
+  LargeSplats,
+  Mask,
+  Bilateral,
+  CurvatureFlow,
+  ImplicitCurvatureFlow,
+  Thickness,
+  LargeThickness,
+  Composite,
+};
+
+/// What passes read and write.
+enum class Resource : std::uint8_t {
+  Particles,       ///< Positions, as they came.
+  SplatList,       ///< Which particles are drawn, and how.
+  ShadowMap,       ///< Liquid that sunlight passes before it meets the floor.
+  Background,      ///< Floor and sky without the liquid.
+  Scene,           ///< Floor and sky with the liquid's shadow.
+  Surface,         ///< Inverse eye depth q = 1/z of the liquid's front, 1/m; 0 where there is none.
+  SurfaceScratch,  ///< The other half of a filter's to and fro.
+  Stencil,         ///< 1 where there is liquid.
+  Thickness,       ///< Liquid along the line of sight, m.
+  Picture,
+};
+
+std::string_view name(Pass pass);
+std::string_view name(Resource resource);
+
+/// Facts about the particles at hand and their place in the picture.
+struct DataTraits {
+  double spacing = 1;            ///< d, m.
+  std::size_t points = 0;        ///< Splats drawn as points.
+  std::size_t hiddenPoints = 0;  ///< Points that lie wholly behind others.
+  std::size_t largeSplats = 0;   ///< Splats too near or too large for points.
+  double nearestDepth = 1;       ///< Least eye depth of the liquid's surface, m.
+  double pixelSlope = 1e-3;      ///< Width of a pixel at eye depth 1.
+
+  std::size_t splats() const { return points + largeSplats; }
+};
+
+/// What stayed valid since the frame before.
+struct ReuseTraits {
+  bool background = false;
+  bool shadowMap = false;
+};
+
+/// How an explicit flow spends its smoothing time.
+struct FlowSchedule {
+  int iterations = 0;
+  double stepTime = 0;    ///< Flow time of one iteration, m².
+  double wantedTime = 0;  ///< What the scene asks for, m².
+  double shortfall = 0;   ///< Fraction of `wantedTime` that max_iterations cuts off.
+};
+
+struct PassStep {
+  Pass pass;
+  std::vector<Resource> reads;
+  std::vector<Resource> writes;
+
+  bool operator==(const PassStep&) const = default;
+};
+
+enum class PixelFormat : std::uint8_t { Srgb8Alpha8, R32f, Stencil8 };
+
+std::uint64_t bytesPerPixel(PixelFormat format);
+
+struct PictureBuffer {
+  Resource resource;
+  PixelFormat format;
+  core::ImageSize size;
+
+  std::uint64_t bytes() const;
+  bool operator==(const PictureBuffer&) const = default;
+};
+
+/// What one frame runs, needs, and leaves out. The renderer executes exactly `steps`.
+struct FramePlan {
+  std::vector<PassStep> steps;
+  std::vector<PictureBuffer> buffers;
+  std::vector<core::LeftOut> leftOut;
+  FlowSchedule flow;
+
+  bool runs(Pass pass) const;
+  /// Null when the frame does without it.
+  const PictureBuffer* buffer(Resource resource) const;
+  /// The same for people to read.
+  core::Plan describe() const;
+};
+
+/// Iterations and step of the explicit curvature flow: as many steps, each at most `step_fraction` of the largest
+/// stable one anywhere in the picture, as the smoothing time needs; an even number, so that the result lies where the
+/// splats were.
+///
+/// The bound is s²/(2σ(W)) with the pixel footprint s = C·z and σ(W) = √(1+|W|²)·(1+|W|²/2) at view slope W, the worst
+/// case over all orientations of the surface. It takes the nearest depth and the steepest slope of the picture.
+FlowSchedule scheduleFlow(const v1::Smoothing& smoothing, const DataTraits& traits, core::ImageSize size);
+
+/// Pure: the same arguments give the same plan. `look` and `background` are complete and valid.
+FramePlan planFrame(const v1::Look& look, const v1::Background& background, core::ImageSize size,
+                    const DataTraits& traits, const ReuseTraits& reuse);
+
+}  // namespace sluice::render

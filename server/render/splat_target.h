@@ -1,0 +1,14 @@
+#pragma once
+
+#include "frame_context.h"
+
+namespace sluice::render {
+
+/// Sets the viewport and the uniform `target` of sphere.glsl for splats into `resource`. Points are drawn in a viewport
+/// that reaches beyond the target, because GL drops a point whose centre is outside, with all that it covers inside.
+void aimSplats(const FrameContext& frame, const gl::Program& program, Resource resource, bool points);
+
+/// The largest point that splats use, pixels: what the device draws.
+float maxPointPixels();
+
+}  // namespace sluice::render

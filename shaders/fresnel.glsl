@@ -1,0 +1,8 @@
+// Share of unpolarised light that an interface reflects, exactly. `cosine` is that of the angle in the outer medium,
+// n ≥ 1 the index of the inner one.
+float fresnel(float cosine, float n) {
+  float inner = sqrt(1.0 - (1.0 - cosine * cosine) / (n * n));
+  float s = (cosine - n * inner) / (cosine + n * inner);
+  float p = (inner - n * cosine) / (inner + n * cosine);
+  return 0.5 * (s * s + p * p);
+}

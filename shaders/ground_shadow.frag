@@ -1,0 +1,25 @@
+// Darkens the floor where sunlight has passed liquid. The result multiplies what is there.
+#include "frame_uniforms.glsl"
+
+layout(binding = 0) uniform sampler2D shadowMap;  // liquid along the way to the sun, m
+
+in vec3 view;
+in vec2 mapPosition;
+out vec4 factor;
+
+void main() {
+  float liquid = texture(shadowMap, mapPosition).r;
+  // Half of the light on the floor comes from the sky and casts no shadow worth drawing.
+  const float sunShare = 0.55;
+  float covered = 1.0 - exp(-liquid / (1.5 * frame.splat.z));
+#ifdef OPAQUE
+  vec3 sunlight = vec3(1.0 - covered);
+#else
+  // What waves and rims of a clear liquid turn away from its own shadow.
+  const float turnedAway = 0.55;
+  vec3 sunlight = exp(-frame.absorptionAndIndex.rgb * liquid) * (1.0 - turnedAway * covered);
+#endif
+  float far = length(view) / frame.floorAndHaze.w;
+  float strength = frame.shadow.x * sunShare * exp(-far * far);
+  factor = vec4(1.0 - strength * (1.0 - sunlight), 1.0);
+}
