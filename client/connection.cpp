@@ -1,0 +1,229 @@
+#include "sluice/client/connection.h"
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+
+#include "sluice/client/failure.h"
+
+namespace sluice::client {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using beast::error_code;
+
+namespace {
+
+constexpr const char* kSubprotocol = "sluice.v1";
+constexpr std::uint32_t kProtocolVersion = 1;
+
+/// Room for a lossless picture of 3840×2160 that does not compress at all, 33 MB, and some.
+constexpr std::size_t kMaxMessageBytes = 64U << 20U;
+
+/// A server from which nothing comes for this long, not even the answer to a WebSocket ping, is gone.
+constexpr std::chrono::seconds kIdleTimeout{15};
+
+/// Messages that may wait to be taken by `receive` before reading pauses.
+constexpr std::size_t kMaxArrived = 64;
+
+}  // namespace
+
+/// Every operation is asynchronous, because Beast's time limits cover no others, and `runUntil` waits for it. One read
+/// is always under way, so that pings are answered and closing is noticed during a send as well.
+class Connection::Impl {
+ public:
+  Impl(ServerUrl url, Clock::duration timeout) : url_(std::move(url)), timeout_(timeout) {
+    open();
+    greet();
+  }
+
+  ~Impl() {
+    if (!socket_.is_open() || readError_) return;
+    // The server's answer is read by the read that is under way; a server that gives none is not waited for long.
+    constexpr std::chrono::seconds kFarewell{1};
+    bool closed = false;
+    socket_.async_close(websocket::close_code::normal, [&](error_code) { closed = true; });
+    if (!runUntil([&] { return closed; }, Clock::now() + kFarewell)) {
+      beast::get_lowest_layer(socket_).close();
+      runUntil([&] { return closed; }, Clock::time_point::max());
+    }
+  }
+
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  const ServerUrl& url() const { return url_; }
+  const v1::Welcome& welcome() const { return welcome_; }
+  Clock::duration timeout() const { return timeout_; }
+
+  std::uint64_t send(v1::ClientMessage message) {
+    message.set_sequence(++sequence_);
+    const std::string bytes = message.SerializeAsString();
+    const std::uint32_t allowed = welcome_.limits().max_message_bytes();
+    if (allowed > 0 && bytes.size() > allowed) {
+      throw RequestError("a message of " + std::to_string(bytes.size()) + " bytes is too large; the server takes " +
+                         std::to_string(allowed));
+    }
+    const error_code error = await([&](auto done) { socket_.async_write(asio::buffer(bytes), std::move(done)); });
+    if (error) throwEnded(error);
+    return sequence_;
+  }
+
+  std::optional<v1::ServerMessage> receive(Clock::time_point deadline) {
+    if (!reading_ && !readError_) startRead();
+    runUntil([this] { return !arrived_.empty() || readError_; }, deadline);
+    if (!arrived_.empty()) {
+      std::optional<v1::ServerMessage> message = std::move(arrived_.front());
+      arrived_.pop_front();
+      return message;
+    }
+    if (readError_) throwEnded(readError_);
+    return std::nullopt;
+  }
+
+ private:
+  void open() {
+    // Resolving blocks; the system's resolver has time limits of its own.
+    asio::ip::tcp::resolver resolver(io_);
+    error_code unresolved;
+    const auto endpoints = resolver.resolve(url_.host, std::to_string(url_.port), unresolved);
+    check(unresolved);
+
+    beast::tcp_stream& tcp = beast::get_lowest_layer(socket_);
+    check(await([&](auto done) { tcp.async_connect(endpoints, std::move(done)); }));
+    tcp.socket().set_option(asio::ip::tcp::no_delay(true));
+
+    socket_.set_option(websocket::stream_base::timeout{
+        .handshake_timeout = timeout_, .idle_timeout = kIdleTimeout, .keep_alive_pings = true});
+    socket_.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
+      request.set(http::field::sec_websocket_protocol, kSubprotocol);
+      request.set(http::field::user_agent, "sluice-cli");
+    }));
+    socket_.binary(true);
+    socket_.auto_fragment(false);
+    socket_.read_message_max(kMaxMessageBytes);
+
+    websocket::response_type response;
+    const error_code error =
+        await([&](auto done) { socket_.async_handshake(response, url_.authority(), url_.path, std::move(done)); });
+    if (error == websocket::error::upgrade_declined) {
+      throw ConnectionError(cannotConnect() + "the server answered " + std::to_string(response.result_int()) + " " +
+                            std::string(response.reason()));
+    }
+    check(error);
+  }
+
+  void greet() {
+    v1::ClientMessage hello;
+    hello.mutable_hello()->set_client("sluice-cli");
+    send(std::move(hello));
+    const Clock::time_point deadline = Clock::now() + timeout_;
+    while (true) {
+      std::optional<v1::ServerMessage> message = receive(deadline);
+      if (!message) throw ConnectionError(cannotConnect() + "the server does not greet back");
+      if (message->has_error()) throw ConnectionError(cannotConnect() + message->error().message());
+      if (!message->has_welcome()) continue;
+      welcome_ = std::move(*message->mutable_welcome());
+      break;
+    }
+    if (welcome_.protocol_version() != kProtocolVersion) {
+      throw ConnectionError(cannotConnect() + "the server speaks protocol " +
+                            std::to_string(welcome_.protocol_version()) + ", this program " +
+                            std::to_string(kProtocolVersion));
+    }
+  }
+
+  void startRead() {
+    reading_ = true;
+    socket_.async_read(buffer_, [this](error_code error, std::size_t) {
+      reading_ = false;
+      if (error) {
+        readError_ = error;
+        return;
+      }
+      v1::ServerMessage message;
+      if (!message.ParseFromArray(buffer_.data().data(), static_cast<int>(buffer_.size()))) {
+        readError_ = websocket::error::bad_data_frame;
+        return;
+      }
+      buffer_.consume(buffer_.size());
+      arrived_.push_back(std::move(message));
+      if (arrived_.size() < kMaxArrived) startRead();
+    });
+  }
+
+  /// Serves the socket until `done` holds; false when `deadline` passes first.
+  bool runUntil(const std::function<bool()>& done, Clock::time_point deadline) {
+    while (!done()) {
+      io_.restart();
+      if (deadline == Clock::time_point::max()) {
+        io_.run_one();
+      } else if (io_.run_one_until(deadline) == 0 && Clock::now() >= deadline) {
+        return done();
+      }
+    }
+    return true;
+  }
+
+  /// `start` begins an operation with the handler that it is given. Waits for its end; beast::error::timeout when that
+  /// takes too long.
+  template <class Start>
+  error_code await(Start start) {
+    std::optional<error_code> result;
+    start([&result](error_code error, auto&&...) { result = error; });
+    if (runUntil([&] { return result.has_value(); }, Clock::now() + timeout_)) return *result;
+    // What is under way refers to this frame; so it is ended, and waited for.
+    beast::get_lowest_layer(socket_).close();
+    runUntil([&] { return result.has_value(); }, Clock::time_point::max());
+    return beast::error::timeout;
+  }
+
+  std::string cannotConnect() const { return "cannot connect to " + url_.text() + ": "; }
+
+  void check(error_code error) const {
+    if (error) throw ConnectionError(cannotConnect() + error.message());
+  }
+
+  [[noreturn]] void throwEnded(error_code error) const {
+    std::string why = error.message();
+    if (error == websocket::error::closed) {
+      const auto& reason = socket_.reason().reason;
+      why = reason.empty() ? "the server closed it" : std::string(reason.data(), reason.size());
+    } else if (error == websocket::error::bad_data_frame) {
+      why = "the server sent what is no message of " + std::string(kSubprotocol);
+    }
+    throw ConnectionError("the connection to " + url_.text() + " has ended: " + why);
+  }
+
+  const ServerUrl url_;
+  const Clock::duration timeout_;
+  asio::io_context io_;
+  websocket::stream<beast::tcp_stream> socket_{io_};
+  beast::flat_buffer buffer_;
+  bool reading_ = false;
+  error_code readError_;
+  std::deque<v1::ServerMessage> arrived_;
+  std::uint64_t sequence_ = 0;
+  v1::Welcome welcome_;
+};
+
+Connection::Connection(const ServerUrl& url, Clock::duration timeout) : impl_(std::make_unique<Impl>(url, timeout)) {}
+Connection::~Connection() = default;
+
+const ServerUrl& Connection::url() const { return impl_->url(); }
+const v1::Welcome& Connection::welcome() const { return impl_->welcome(); }
+Connection::Clock::duration Connection::timeout() const { return impl_->timeout(); }
+std::uint64_t Connection::send(v1::ClientMessage message) { return impl_->send(std::move(message)); }
+std::optional<v1::ServerMessage> Connection::receive(Clock::time_point deadline) { return impl_->receive(deadline); }
+
+}  // namespace sluice::client

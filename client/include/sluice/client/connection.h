@@ -1,0 +1,42 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "sluice/client/server_url.h"
+#include "sluice/v1/session.pb.h"
+
+namespace sluice::client {
+
+/// A viewer's connection to a server: opened, welcomed, closed again by the destructor. Calls block, but never beyond
+/// their time; the socket is served only inside them. For one thread at a time.
+class Connection {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Connects and says Hello. `timeout` bounds this, and each later send. Throws ConnectionError.
+  Connection(const ServerUrl& url, Clock::duration timeout);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  const ServerUrl& url() const;
+  const v1::Welcome& welcome() const;
+  Clock::duration timeout() const;
+
+  /// Numbers the message, sends it, and returns its number. Throws RequestError for a message larger than the server
+  /// takes, ConnectionError where it cannot be sent.
+  std::uint64_t send(v1::ClientMessage message);
+
+  /// The next message from the server; none when `deadline` passes before one has come. Throws ConnectionError when
+  /// the connection has ended.
+  std::optional<v1::ServerMessage> receive(Clock::time_point deadline);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sluice::client

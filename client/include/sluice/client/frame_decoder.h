@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "sluice/v1/session.pb.h"
+
+namespace sluice::client {
+
+/// A picture's pixels, rows from the top.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::byte> rgba;  ///< 4·width·height bytes.
+};
+
+/// Decodes the frames of a stream, keeping its buffers from one to the next. For one thread at a time.
+class FrameDecoder {
+ public:
+  FrameDecoder();
+  ~FrameDecoder();
+  FrameDecoder(const FrameDecoder&) = delete;
+  FrameDecoder& operator=(const FrameDecoder&) = delete;
+
+  /// Valid until the next call. Throws RequestError for a payload that is damaged, of a codec that was not asked for,
+  /// or of another size than the frame says.
+  const Picture& decode(const v1::Frame& frame);
+
+ private:
+  void decodeJpeg(const v1::Frame& frame);
+  void decodePng(const v1::Frame& frame);
+
+  struct JpegHandle;
+  std::unique_ptr<JpegHandle> jpeg_;
+  Picture picture_;
+};
+
+}  // namespace sluice::client

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sluice::client {
+
+/// Where a server's stream is.
+struct ServerUrl {
+  std::string host;
+  std::uint16_t port = 8080;
+  std::string path = "/stream";
+
+  /// host:port as an HTTP Host header has it; an IPv6 address in brackets.
+  std::string authority() const;
+  std::string text() const;
+
+  bool operator==(const ServerUrl&) const = default;
+};
+
+/// Takes ws://host[:port][/path]; the scheme may be left out, or be the http:// of the server's page. A path that is
+/// absent or "/" means /stream. Throws UsageError.
+ServerUrl parseServerUrl(std::string_view text);
+
+}  // namespace sluice::client

@@ -1,0 +1,98 @@
+#include <memory>
+#include <ostream>
+
+#include "sluice/client/json.h"
+#include "sluice/client/percentile.h"
+#include "sluice/client/report.h"
+#include "sluice/client/stream_benchmark.h"
+#include "verbs/verb.h"
+
+namespace sluice::client {
+
+namespace {
+
+constexpr double kBytesPerKilobyte = 1000;
+
+struct BenchOptions {
+  StreamBenchmarkOptions stream;
+  std::string size = "1280x720";
+  std::string codec = "jpeg";
+  bool still = false;
+};
+
+struct Quantiles {
+  double median, p95, p99;
+
+  explicit Quantiles(const std::vector<double>& samples)
+      : median(percentile(samples, 0.5)), p95(percentile(samples, 0.95)), p99(percentile(samples, 0.99)) {}
+};
+
+void printJson(std::ostream& out, const StreamBenchmarkResult& result, const Quantiles& delay, double framesPerSecond,
+               double kilobytesPerSecond) {
+  Json stages = Json::object();
+  for (const StageSamples& stage : result.stages) stages[stage.name] = median(stage.milliseconds);
+  out << toLine({{"input_to_decoded_ms", {{"median", delay.median}, {"p95", delay.p95}, {"p99", delay.p99}}},
+                 {"inputs", result.inputToDecodedMilliseconds.size()},
+                 {"frames_per_second", framesPerSecond},
+                 {"kilobytes_per_second", kilobytesPerSecond},
+                 {"frames", result.frames},
+                 {"seconds", result.seconds},
+                 {"decode_ms", median(result.decodeMilliseconds)},
+                 {"stages", stages}});
+}
+
+void printText(std::ostream& out, const StreamBenchmarkResult& result, const Quantiles& delay, double framesPerSecond,
+               double kilobytesPerSecond) {
+  if (!result.inputToDecodedMilliseconds.empty()) {
+    out << "input to decoded  " << formatRounded(delay.median) << " ms median, " << formatRounded(delay.p95)
+        << " ms p95, " << formatRounded(delay.p99) << " ms p99, of " << result.inputToDecodedMilliseconds.size()
+        << " cameras\n";
+  }
+  out << "frames            " << formatRounded(framesPerSecond) << " per second\n"
+      << "data              " << formatRounded(kilobytesPerSecond) << " kB per second\n";
+  if (!result.decodeMilliseconds.empty()) {
+    out << "decoding here     " << formatRounded(median(result.decodeMilliseconds)) << " ms median\n";
+  }
+  if (result.stages.empty()) return;
+  out << "on the server     ms, median\n";
+  for (const StageSamples& stage : result.stages) {
+    out << "  " << stage.name << std::string(stage.name.size() < 24 ? 24 - stage.name.size() : 1, ' ')
+        << formatRounded(median(stage.milliseconds), 3) << '\n';
+  }
+}
+
+void bench(const Context& context, const BenchOptions& options) {
+  StreamBenchmarkOptions stream = options.stream;
+  stream.size = parseSize(options.size);
+  stream.codec = options.codec == "png" ? v1::PNG : v1::JPEG;
+  stream.orbit = !options.still;
+
+  Connection connection = context.connect();
+  const StreamBenchmarkResult result = benchmarkStream(connection, stream);
+  (context.json ? printJson : printText)(context.output.out, result, Quantiles(result.inputToDecodedMilliseconds),
+                                         static_cast<double>(result.frames) / result.seconds,
+                                         static_cast<double>(result.payloadBytes) / kBytesPerKilobyte / result.seconds);
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* verb = app.add_subcommand("bench", "Measure the stream: delay from input to decoded picture, rate, bytes");
+  verb->add_option("--seconds", options->stream.seconds, "How long")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 86400.0));
+  verb->add_option("--size", options->size, "Size of the picture in pixels")->capture_default_str()->type_name("WxH");
+  verb->add_option("--codec", options->codec, "How pictures are encoded")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"jpeg", "png"}));
+  verb->add_option("--quality", options->stream.quality, "Of jpeg; else the server's default")
+      ->check(CLI::Range(1U, 100U));
+  auto* still = verb->add_flag("--still", options->still, "Leave the camera at rest; no delay is measured");
+  verb->add_flag_callback(
+          "--orbit", [] {}, "Turn the camera about the scene, which is the default")
+      ->excludes(still);
+  verb->callback([&chosen, options] { chosen = [options](const Context& context) { bench(context, *options); }; });
+}
+
+}  // namespace sluice::client
