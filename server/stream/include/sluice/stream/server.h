@@ -17,8 +17,8 @@ namespace sluice::stream {
 
 struct ServerOptions {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 8080;      ///< 0: any free port; see Server::port.
-  std::filesystem::path webRoot;  ///< Folder of the page; empty: none is served.
+  std::uint16_t port = 8080;        ///< 0: any free port; see Server::port.
+  std::filesystem::path webRoot{};  ///< Folder of the page; empty: none is served.
   int maxViewers = 16;
   core::ImageSize maxSize{3840, 2160};
   std::uint32_t maxMessageBytes = 1U << 20U;       ///< Of a viewer's message; larger ones close with 1009.
@@ -27,9 +27,9 @@ struct ServerOptions {
   std::chrono::milliseconds writeTimeout{10'000};  ///< A viewer that takes no bytes for this long is dropped.
   std::chrono::milliseconds idleTimeout{30'000};   ///< A viewer silent for this long, WebSocket pings included.
   /// Origins, such as "https://example.org", whose pages may connect beside the server's own page.
-  std::vector<std::string> allowedOrigins;
+  std::vector<std::string> allowedOrigins{};
   /// Takes one line for every viewer that comes or goes; called on the io thread. Empty: nobody is told.
-  std::function<void(const std::string&)> log;
+  std::function<void(const std::string&)> log{};
 };
 
 /// The HTTP and WebSocket server: the static page, /healthz and /stream. Runs on one io thread.
