@@ -1,0 +1,127 @@
+#include "initial_state.h"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "sluice/core/input_error.h"
+
+namespace sluice::sim {
+
+namespace {
+
+using Triple = std::array<double, 3>;
+
+Triple toTriple(const v1::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+std::array<std::uint64_t, 3> countsOf(const v1::Block& block) {
+  return {block.count_x(), block.count_y(), block.count_z()};
+}
+
+std::uint64_t particlesOf(const v1::Block& block) {
+  // At most 10000³ = 10¹²: no overflow.
+  return std::uint64_t{block.count_x()} * block.count_y() * block.count_z();
+}
+
+std::string blockPath(int fluid, int block) {
+  return "simulation.fluids[" + std::to_string(fluid) + "].blocks[" + std::to_string(block) + "]";
+}
+
+// How far inside the container's faces a particle has to start, in spacings: a lattice one spacing from a face is at
+// rest. The remainder is for decimal fractions that are no floats.
+constexpr double kClearance = 0.99;
+
+constexpr char kAxes[] = "xyz";
+
+/// Throws where a block does not keep its distance from the container's faces.
+void checkInside(const v1::Block& block, const std::string& path, const Container& container, double spacing) {
+  const Triple first = toTriple(block.first_particle());
+  const auto counts = countsOf(block);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double low = container.origin[axis] + kClearance * spacing;
+    const double high = container.origin[axis] + container.size[axis] - kClearance * spacing;
+    const double last = first[axis] + spacing * static_cast<double>(counts[axis] - 1);
+    if (std::isfinite(first[axis]) && first[axis] >= low && last <= high) continue;
+    std::ostringstream problem;
+    problem << "the block reaches from " << kAxes[axis] << " = " << first[axis] << " m to " << last
+            << " m; particles must start one spacing inside the container's faces, within ["
+            << container.origin[axis] + spacing << ", " << container.origin[axis] + container.size[axis] - spacing
+            << "] m";
+    throw core::InputError("", path + ".first_particle", problem.str());
+  }
+}
+
+void checkCount(const v1::Simulation& simulation, std::uint64_t limit) {
+  std::uint64_t total = 0;
+  for (int f = 0; f < simulation.fluids_size(); ++f) {
+    for (int b = 0; b < simulation.fluids(f).blocks_size(); ++b) {
+      total += particlesOf(simulation.fluids(f).blocks(b));
+      if (total <= limit) continue;
+      throw core::InputError("", blockPath(f, b),
+                             "the scene has at least " + std::to_string(total) + " particles; this machine's free " +
+                                 "memory allows " + std::to_string(limit));
+    }
+  }
+  if (total == 0) throw core::InputError("", "simulation.fluids", "the scene has no particles; it needs at least one");
+}
+
+}  // namespace
+
+Container containerOf(const v1::Simulation& simulation) {
+  const Triple low = toTriple(simulation.container().min());
+  const Triple high = toTriple(simulation.container().max());
+  Container container{low, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    container.size[axis] = high[axis] - low[axis];
+    if (container.size[axis] >= 2 * kClearance * simulation.particle_spacing()) continue;
+    std::ostringstream problem;
+    problem << "the container is " << container.size[axis] << " m long in " << kAxes[axis]
+            << "; it must be at least two particle spacings, " << 2 * simulation.particle_spacing() << " m";
+    throw core::InputError("", "simulation.container.max", problem.str());
+  }
+  return container;
+}
+
+ParticleState initialState(const v1::Simulation& simulation, const Container& container, std::uint64_t particleLimit) {
+  const double spacing = simulation.particle_spacing();
+  checkCount(simulation, particleLimit);
+
+  ParticleState state;
+  for (int f = 0; f < simulation.fluids_size(); ++f) {
+    for (int b = 0; b < simulation.fluids(f).blocks_size(); ++b) {
+      const v1::Block& block = simulation.fluids(f).blocks(b);
+      checkInside(block, blockPath(f, b), container, spacing);
+      const Triple first = toTriple(block.first_particle());
+      const Float4 velocity{static_cast<float>(block.velocity().x()), static_cast<float>(block.velocity().y()),
+                            static_cast<float>(block.velocity().z()), 0};
+      const auto place = [&](std::size_t axis, std::uint32_t step) {
+        return static_cast<float>(first[axis] - container.origin[axis] + spacing * step);
+      };
+      state.position.reserve(state.position.size() + particlesOf(block));
+      for (std::uint32_t k = 0; k < block.count_z(); ++k) {
+        for (std::uint32_t j = 0; j < block.count_y(); ++j) {
+          for (std::uint32_t i = 0; i < block.count_x(); ++i) {
+            state.position.push_back({place(0, i), place(1, j), place(2, k), 0});
+          }
+        }
+      }
+      state.velocity.resize(state.position.size(), velocity);
+    }
+  }
+  state.resize(state.position.size());
+  for (std::uint32_t i = 0; i < state.size(); ++i) state.id[i] = i;
+  return state;
+}
+
+std::string blockOf(const v1::Simulation& simulation, std::uint32_t id) {
+  std::uint64_t end = 0;
+  for (int f = 0; f < simulation.fluids_size(); ++f) {
+    for (int b = 0; b < simulation.fluids(f).blocks_size(); ++b) {
+      end += particlesOf(simulation.fluids(f).blocks(b));
+      if (id < end) return blockPath(f, b);
+    }
+  }
+  return "simulation.fluids";
+}
+
+}  // namespace sluice::sim

@@ -1,0 +1,22 @@
+#include "memory_budget.h"
+
+#include <fstream>
+#include <string>
+
+#include <unistd.h>
+
+namespace sluice::sim {
+
+std::uint64_t availableMemory() {
+  // What Linux says could be given without swapping.
+  std::ifstream info("/proc/meminfo");
+  std::string name;
+  std::uint64_t kibibytes = 0;
+  std::string unit;
+  while (info >> name >> kibibytes && std::getline(info, unit)) {
+    if (name == "MemAvailable:") return kibibytes * 1024;
+  }
+  return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace sluice::sim

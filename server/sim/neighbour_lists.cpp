@@ -1,0 +1,132 @@
+#include "neighbour_lists.h"
+
+#include <algorithm>
+
+namespace sluice::sim {
+
+namespace {
+
+// Far enough that no kernel reaches, near enough that its square is a float.
+constexpr float kFar = 1e18F;
+constexpr std::uint32_t kNoIndex = 0xFFFFFFFFU;
+// Pairs of a particle deep in a fluid, in groups, with some to spare: 30 neighbours and the rounding up to fours.
+constexpr std::size_t kUsualGroups = 9;
+
+/// The storage behind Candidates, kept from cell to cell.
+class CandidateBuffer {
+ public:
+  /// Copies the points of a neighbourhood; `extra(slot, point)` fills in what else is wanted.
+  template <class Extra>
+  void gather(const CellGrid::Neighbourhood& around, const std::vector<Float4>& points, Extra&& extra) {
+    reserve(around.points);
+    count_ = 0;
+    for (std::size_t r = 0; r < static_cast<std::size_t>(around.count); ++r) {
+      for (std::uint32_t j = around.ranges[r].first; j < around.ranges[r].last; ++j, ++count_) {
+        x_[count_] = points[j].x;
+        y_[count_] = points[j].y;
+        z_[count_] = points[j].z;
+        extra(count_, j);
+      }
+    }
+    pad();
+  }
+
+  void setVolume(std::size_t slot, float volume) { volume_[slot] = volume; }
+  void setIndex(std::size_t slot, std::uint32_t index) { index_[slot] = index; }
+
+  Candidates view() { return {x_.data(), y_.data(), z_.data(), volume_.data(), index_.data(), slots_.data(), count_}; }
+
+ private:
+  static constexpr std::size_t kLanes = Candidates::kLanes;
+
+  static std::size_t padded(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes + kLanes; }
+
+  void reserve(std::size_t points) {
+    if (x_.size() >= padded(points)) return;
+    for (std::vector<float>* values : {&x_, &y_, &z_, &volume_}) values->resize(padded(points));
+    index_.resize(padded(points));
+    slots_.resize(padded(points));
+  }
+
+  void pad() {
+    for (std::size_t slot = count_; slot < padded(count_); ++slot) {
+      x_[slot] = y_[slot] = z_[slot] = kFar;
+      volume_[slot] = 0;
+      index_[slot] = kNoIndex;
+    }
+  }
+
+  std::vector<float> x_, y_, z_, volume_;
+  std::vector<std::uint32_t> index_;
+  std::vector<std::uint32_t> slots_;
+  std::size_t count_ = 0;
+};
+
+/// Calls `action(cell, first, last)` for each run of a chunk's particles that share a cell.
+template <class Action>
+void forEachCell(const Chunk& chunk, const std::vector<std::uint32_t>& cellOf, Action&& action) {
+  for (std::size_t first = chunk.first; first < chunk.last;) {
+    const std::uint32_t cell = cellOf[first];
+    std::size_t last = first + 1;
+    while (last < chunk.last && cellOf[last] == cell) ++last;
+    action(cell, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last));
+    first = last;
+  }
+}
+
+}  // namespace
+
+PairSums NeighbourLists::sums() {
+  return {density_.data(), gradientSum_.data(), gradientSquares_.data(), groupCount_.data(), neighbours_.data()};
+}
+
+void NeighbourLists::find(const CellGrid& grid, const std::vector<Float4>& positions, const Team& team) {
+  const std::size_t particles = positions.size();
+  groups_.resize(chunkCount(particles));
+  groupCount_.resize(particles);
+  neighbours_.resize(particles);
+  density_.resize(particles);
+  gradientSum_.resize(particles);
+  gradientSquares_.resize(particles);
+
+  team.forEachChunk(particles, [&](const Chunk& chunk) {
+    thread_local CandidateBuffer buffer;
+    std::vector<PairGroup>& groups = groups_[chunk.index];
+    if (groups.empty()) groups.resize(kUsualGroups * (chunk.last - chunk.first));
+    std::size_t used = 0;
+    forEachCell(chunk, grid.cellOfSorted(), [&](std::uint32_t cell, std::uint32_t first, std::uint32_t last) {
+      buffer.gather(grid.around(cell), positions, [&](std::size_t slot, std::uint32_t j) { buffer.setIndex(slot, j); });
+      const Candidates candidates = buffer.view();
+      // Particle by particle, because the room that all of a cell might need is a multiple of what they do need.
+      const std::size_t room = candidates.count / 4 + 5;
+      for (std::uint32_t i = first; i < last; ++i) {
+        if (used + room > groups.size()) groups.resize(groups.size() + groups.size() / 8 + room);
+        const PairGroup* end =
+            loops_->findNeighbours(scale_, candidates, positions.data(), i, i + 1, groups.data() + used, sums());
+        used = static_cast<std::size_t>(end - groups.data());
+      }
+    });
+  });
+}
+
+void NeighbourLists::addBoundary(const BoxBoundary& boundary, const CellGrid& grid,
+                                 const std::vector<Float4>& positions, const Team& team) {
+  team.forEachChunk(positions.size(), [&](const Chunk& chunk) {
+    thread_local CandidateBuffer buffer;
+    forEachCell(chunk, grid.cellOfSorted(), [&](std::uint32_t cell, std::uint32_t first, std::uint32_t last) {
+      const CellGrid::Neighbourhood around = boundary.grid().around(cell);
+      if (around.points == 0) return;
+      buffer.gather(around, boundary.points(),
+                    [&](std::size_t slot, std::uint32_t b) { buffer.setVolume(slot, boundary.volumes()[b]); });
+      loops_->addBoundary(scale_, buffer.view(), positions.data(), first, last, sums());
+    });
+  });
+}
+
+std::uint64_t NeighbourLists::bytes() const {
+  std::uint64_t total = 0;
+  for (const std::vector<PairGroup>& groups : groups_) total += groups.capacity() * sizeof(PairGroup);
+  return total + groupCount_.size() * (2 * sizeof(std::uint16_t) + 2 * sizeof(float) + sizeof(Float4));
+}
+
+}  // namespace sluice::sim

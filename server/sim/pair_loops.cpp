@@ -1,0 +1,43 @@
+#include "pair_loops.h"
+
+#include <limits>
+
+namespace sluice::sim {
+
+PairScale::PairScale(KernelKind kind, double supportRadius, double volume) : kernel(kind) {
+  withKernel(kind, [&]<class Kernel>(Kernel) {
+    const double perVolume = Kernel::kNormalisation / (supportRadius * supportRadius * supportRadius);
+    support = static_cast<float>(supportRadius);
+    value = static_cast<float>(volume * perVolume);
+    slope = static_cast<float>(volume * perVolume / supportRadius);
+    // The steepest gradient is the largest 16-bit integer.
+    quantum = static_cast<float>(volume * perVolume / supportRadius * Kernel::kSteepestSlope /
+                                 std::numeric_limits<std::int16_t>::max());
+    inverseQuantum = 1 / quantum;
+  });
+}
+
+extern const PairLoops kPairLoopsBaseline;
+#ifdef SLUICE_WITH_X86_VARIANTS
+extern const PairLoops kPairLoopsAvx2;
+extern const PairLoops kPairLoopsAvx512;
+#endif
+
+std::vector<const PairLoops*> availablePairLoops() {
+  std::vector<const PairLoops*> loops{&kPairLoopsBaseline};
+#ifdef SLUICE_WITH_X86_VARIANTS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2")) loops.push_back(&kPairLoopsAvx2);
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512vl")) {
+    loops.push_back(&kPairLoopsAvx512);
+  }
+#endif
+  return loops;
+}
+
+const PairLoops& bestPairLoops() {
+  static const PairLoops& best = *availablePairLoops().back();
+  return best;
+}
+
+}  // namespace sluice::sim

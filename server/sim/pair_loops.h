@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "kernel.h"
+#include "particles.h"
+
+namespace sluice::sim {
+
+/// Four neighbours j of one particle i with their weighted kernel gradients V ∇W_ij, as integers in units of
+/// `PairScale::quantum`: 12 bytes a pair instead of 20, because the loops over pairs are bound by memory.
+///
+/// The rounding is at most 5·10⁻⁶ of the lattice's 1/d per component, which is 10⁻⁵ of density at the largest step
+/// that the CFL bound allows: a fiftieth of the tolerance. Integers negate exactly and add up exactly, so ∇W_ij =
+/// -∇W_ji holds to the last bit and momentum is kept; and every loop uses the same rounded gradients, so that the
+/// pressure operator stays exactly D Dᵀ.
+///
+/// A list whose length is no multiple of four ends with pairs (i, i) of gradient 0.
+struct alignas(16) PairGroup {
+  std::uint32_t neighbour[4];
+  std::int16_t gradient[4][4];  ///< [pair][x, y, z, 0].
+};
+static_assert(sizeof(PairGroup) == 48);
+
+/// Constants of a kernel, support and particle volume.
+struct PairScale {
+  PairScale() = default;
+  PairScale(KernelKind kernel, double supportRadius, double volume);
+
+  KernelKind kernel = KernelKind::CubicSpline;
+  float support = 0;         ///< H, m.
+  float value = 0;           ///< V k: a normalised density is this times Σ f(q).
+  float slope = 0;           ///< V k/H: V dW/dr is this times f'(q), 1/m.
+  float quantum = 0;         ///< Unit of the integer gradients, 1/m.
+  float inverseQuantum = 0;  ///< m.
+};
+
+/// Candidates for the neighbours of all particles of one cell, as structure of arrays. Padded with points far away to
+/// a multiple of kLanes, plus kLanes more; `slots` has room for as many.
+struct Candidates {
+  static constexpr std::size_t kLanes = 16;
+
+  const float* x;
+  const float* y;
+  const float* z;
+  const float* volume;         ///< Of boundary particles, as multiples of a fluid particle's; null for fluid.
+  const std::uint32_t* index;  ///< Of fluid particles; null for boundary.
+  std::uint32_t* slots;        ///< Scratch of the search.
+  std::size_t count;
+};
+
+/// Sums over the pairs of a particle that every step needs. Arrays over all particles.
+struct PairSums {
+  float* density;             ///< Normalised density ρ̃ = ρ/ρ0.
+  Float4* gradientSum;        ///< D_i = Σ_j V_j ∇W_ij + Σ_b V_b ∇W_ib, 1/m.
+  float* gradientSquares;     ///< Σ_j |V_j ∇W_ij|², 1/m².
+  std::uint16_t* groups;      ///< Number of PairGroups.
+  std::uint16_t* neighbours;  ///< Number of neighbours.
+};
+
+/// The pairs of particles [first, last): `groups` holds theirs one after the other.
+struct PairList {
+  const PairGroup* groups;
+  const std::uint16_t* groupCount;  ///< Array over all particles.
+  std::uint32_t first;
+  std::uint32_t last;
+  float quantum;
+};
+
+/// What a chunk contributes to the error of a pressure solve.
+struct SolveError {
+  double sum = 0;     ///< Σ max(error_i, 0).
+  float largest = 0;  ///< max error_i.
+
+  SolveError& operator+=(const SolveError& other) {
+    sum += other.sum;
+    largest = largest < other.largest ? other.largest : largest;
+    return *this;
+  }
+};
+
+/// The loops over pairs, compiled once for each instruction set. All versions give the same bits: they run the same
+/// sequence of operations on lanes whose number is fixed by the data layout, and never use fused multiply-adds or
+/// approximate reciprocals. `Float4` arrays are over all particles. Thread-safe for disjoint ranges of particles.
+struct PairLoops {
+  std::string_view instructionSet;
+
+  /// Finds the neighbours of particles [first, last), which share the cell that `candidates` were gathered for, writes
+  /// their pairs to `out` and their sums without boundary. `out` has room for all candidates of each particle.
+  /// Returns the end of what was written.
+  PairGroup* (*findNeighbours)(const PairScale&, const Candidates&, const Float4* position, std::uint32_t first,
+                               std::uint32_t last, PairGroup* out, const PairSums&);
+
+  /// Adds the boundary particles among `candidates` to the sums of particles [first, last).
+  void (*addBoundary)(const PairScale&, const Candidates&, const Float4* position, std::uint32_t first,
+                      std::uint32_t last, const PairSums&);
+
+  /// u_i = v_i - (κ_i D_i + Σ_j κ_j V ∇W_ij): velocities after the pressure impulses κ (in all four lanes of a
+  /// Float4), m²/s.
+  void (*applyImpulses)(const PairList&, const Float4* impulse, const Float4* gradientSum, const Float4* velocity,
+                        Float4* result);
+
+  /// One relaxed Jacobi step of κ towards a density rate (D u)_i = u_i·D_i - Σ_j u_j·V ∇W_ij of at most
+  /// (1 - ρ̃_i)/`seconds`, or of at most 0 where `density` is null. Particles of factor 0 keep κ = 0. Returns the error
+  /// before the step: the excess of the rate times `seconds`.
+  SolveError (*relaxImpulses)(const PairList&, const Float4* velocity, const Float4* gradientSum, const float* factor,
+                              const float* density, float seconds, Float4* impulse);
+
+  /// result_i = v_i + `strength` Σ_j (v_ij·V∇W_ij) x_ij / (|x_ij|² + 0.01 H²).
+  void (*applyViscosity)(const PairList&, const PairScale&, const Float4* position, const Float4* velocity,
+                         float strength, Float4* result);
+};
+
+/// The fastest loops that this machine can run.
+const PairLoops& bestPairLoops();
+
+/// All loops that this machine can run, slowest first.
+std::vector<const PairLoops*> availablePairLoops();
+
+}  // namespace sluice::sim

@@ -1,0 +1,3 @@
+#define SLUICE_PAIR_LOOPS kPairLoopsAvx2
+#define SLUICE_INSTRUCTION_SET "AVX2"
+#include "pair_loops_impl.h"

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "neighbour_lists.h"
+#include "particles.h"
+#include "team.h"
+
+namespace sluice::sim {
+
+/// What one of DFSPH's two solves has to reach.
+struct SolveGoal {
+  /// ρ̃ of every particle for the density solve (nothing may be compressed after `seconds`); null for the divergence
+  /// solve (nothing may be compressing).
+  const std::vector<float>* density = nullptr;
+  double seconds = 0;  ///< Time step, s.
+  /// Mean over all particles of the compression that is left, relative to the rest density, at which it stops.
+  double tolerance = 0;
+  std::uint32_t minIterations = 1;
+  std::uint32_t maxIterations = 100;
+};
+
+struct SolveOutcome {
+  std::uint32_t iterations = 0;
+  double meanError = 0;  ///< Mean predicted compression left by the velocities that the solve hands back.
+  double maxError = 0;
+};
+
+/// The pressure solver of DFSPH, Bender & Koschier 2017 [BK17]. Both of its solves look for pressure impulses κ ≥ 0,
+///
+///   u_i = v_i - Σ_j V_j (κ_i + κ_j) ∇W_ij - κ_i Σ_b V_b ∇W_ib,      κ_i > 0 only where the bound is met,
+///   (D u)_i = Σ_j V_j (u_i - u_j)·∇W_ij + Σ_b V_b u_i·∇W_ib ≤ bound_i,
+///
+/// with bound (1 - ρ̃_i)/dt in the density solve and 0 in the divergence solve, by relaxed Jacobi iteration. The
+/// velocities handed back are those whose error was measured, not an iterate later.
+class PressureSolve {
+ public:
+  /// `velocity` and `impulse` (the start of the iteration, m²/s) are replaced by the result. Particles whose `factor`
+  /// α_i is 0 carry no pressure and do not count.
+  SolveOutcome run(const SolveGoal& goal, const NeighbourLists& lists, const std::vector<float>& factor,
+                   std::vector<Float4>& velocity, std::vector<float>& impulse, const Team& team);
+
+  std::uint64_t bytes() const { return (impulse4_.size() + result_.size()) * sizeof(Float4); }
+
+ private:
+  std::vector<Float4> impulse4_;  ///< κ in all four lanes, for the pair loops.
+  std::vector<Float4> result_;
+};
+
+}  // namespace sluice::sim
