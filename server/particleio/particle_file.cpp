@@ -1,0 +1,135 @@
+#include "sluice/particleio/particle_file.h"
+
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "codecs.h"
+#include "gzip.h"
+#include "sluice/core/check.h"
+#include "sluice/core/input_error.h"
+
+namespace sluice::particleio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto kEndings = std::to_array<std::pair<std::string_view, Format>>({{".bgeo", Format::Bgeo},
+                                                                              {".bgeo.gz", Format::BgeoGzip},
+                                                                              {".vtk", Format::Vtk},
+                                                                              {".ply", Format::Ply},
+                                                                              {".xyz", Format::Xyz},
+                                                                              {".csv", Format::Csv}});
+
+Format requiredFormat(const fs::path& file) {
+  if (const std::optional<Format> format = formatOf(file.string())) return *format;
+  throw core::InputError(file.string(), "", "is no particle file by its name; known endings are " + knownEndings());
+}
+
+std::vector<std::uint8_t> readBytes(const fs::path& file) {
+  // 100 million particles and more; a larger file is not what a picture is made of.
+  constexpr std::uintmax_t kLargest = std::uintmax_t{4} << 30U;
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) throw core::InputError(file.string(), "", "no such file");
+  if (!fs::is_regular_file(status)) throw core::InputError(file.string(), "", "is not a file");
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error) throw core::InputError(file.string(), "", "cannot be read: " + error.message());
+  if (size > kLargest) {
+    throw core::InputError(file.string(), "",
+                           "has " + std::to_string(size) + " bytes; allowed are at most " + std::to_string(kLargest));
+  }
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw core::InputError(file.string(), "", "cannot be opened for reading");
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<std::uintmax_t>(stream.gcount()) != size) {
+    throw core::InputError(file.string(), "", "cannot be read, or became shorter meanwhile");
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::optional<Format> formatOf(const std::string& fileName) {
+  std::string lower = fileName;
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const auto& [ending, format] : kEndings) {
+    if (lower.ends_with(ending)) return format;
+  }
+  return std::nullopt;
+}
+
+std::string knownEndings() {
+  std::string text;
+  for (const auto& [ending, format] : kEndings) {
+    if (!text.empty()) text += ", ";
+    text += ending;
+  }
+  return text;
+}
+
+ParticleFileData decode(std::span<const std::uint8_t> bytes, Format format, const std::string& name) {
+  switch (format) {
+    case Format::Bgeo:
+    case Format::BgeoGzip:
+      return decodeBgeo(bytes, name);
+    case Format::Vtk:
+      return decodeVtk(bytes, name);
+    case Format::Ply:
+      return decodePly(bytes, name);
+    case Format::Xyz:
+    case Format::Csv:
+      return decodeText(bytes, name);
+  }
+  SLUICE_CHECK(!"every format is decoded");
+}
+
+std::vector<std::uint8_t> encode(const ParticleFileData& particles, Format format) {
+  const std::size_t count = particles.size();
+  SLUICE_CHECK(particles.velocities.empty() || particles.velocities.size() == count);
+  SLUICE_CHECK(particles.densities.empty() || particles.densities.size() == count);
+  SLUICE_CHECK(particles.ids.empty() || particles.ids.size() == count);
+  switch (format) {
+    case Format::Bgeo:
+      return encodeBgeo(particles);
+    case Format::BgeoGzip:
+      return gzip(encodeBgeo(particles));
+    case Format::Vtk:
+      return encodeVtk(particles);
+    case Format::Ply:
+      return encodePly(particles);
+    case Format::Xyz:
+      return encodeXyz(particles);
+    case Format::Csv:
+      return encodeCsv(particles);
+  }
+  SLUICE_CHECK(!"every format is encoded");
+}
+
+ParticleFileData readParticleFile(const fs::path& file) {
+  const Format format = requiredFormat(file);
+  return decode(readBytes(file), format, file.string());
+}
+
+void writeParticleFile(const fs::path& file, const ParticleFileData& particles) {
+  const std::vector<std::uint8_t> bytes = encode(particles, requiredFormat(file));
+  fs::path part = file;
+  part += ".part";
+  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+  stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  std::error_code error;
+  if (stream) fs::rename(part, file, error);
+  if (!stream || error) {
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    throw core::EnvironmentError(file.string() + ": cannot be written" + (error ? ": " + error.message() : ""));
+  }
+}
+
+}  // namespace sluice::particleio
