@@ -1,0 +1,47 @@
+// The state of the connection, said calmly: a line over the dimmed picture, and nothing at all while it works.
+
+import type { ConnectionState } from "../protocol/connection";
+
+/** A connection that comes back within this time is not worth a word. */
+const kPatienceMilliseconds = 300;
+
+export class Status {
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private everConnected = false;
+
+  constructor(
+    private readonly stage: HTMLElement,
+    private readonly line: HTMLElement,
+  ) {}
+
+  show(state: ConnectionState, detail: string): void {
+    // What is on the canvas is the past until a new picture has come.
+    if (state !== "open") this.stage.classList.add("stale");
+    if (state === "stopped") this.say(detail);
+    else if (state === "open") this.say("Waiting for the first picture …");
+    else if (this.everConnected) this.say(detail ? `${detail}. Trying again …` : undefined);
+    else this.say(state === "connecting" ? "Connecting …" : "The server cannot be reached. Trying again …");
+  }
+
+  /** A picture of this connection is on the canvas. */
+  pictureDrawn(): void {
+    if (!this.stage.classList.contains("stale") && this.line.hidden) return;
+    this.everConnected = true;
+    this.stage.classList.remove("stale");
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    this.line.hidden = true;
+  }
+
+  /** `undefined` leaves what stands: a further attempt after a loss is no news. */
+  private say(text: string | undefined): void {
+    if (text === undefined) return;
+    clearTimeout(this.timer);
+    const write = () => {
+      this.line.textContent = text;
+      this.line.hidden = false;
+    };
+    if (this.line.hidden) this.timer = setTimeout(write, kPatienceMilliseconds);
+    else write();
+  }
+}
