@@ -35,6 +35,8 @@ std::unique_ptr<core::ParticleSource> openSource(const v1::Scene& scene, int thr
       return sim::makeSimulation(scene, threads);
     case v1::Scene::kParticleFile:
       return sources::openParticlePlayback(scene);
+    case v1::Scene::kColumnAndSheet:
+      return sources::openBenchCloud(scene);
     default:
       throw core::InputError("", "source", "the scene has no source of particles");
   }

@@ -30,7 +30,9 @@ TEST(IncludeGraph, HasNoCycle) { EXPECT_THAT(findCycle(readIncludeGraph(SLUICE_S
 
 TEST(IncludeGraph, ClientKnowsTheProtocolAlone) {
   for (const Edge& edge : readIncludeGraph(SLUICE_SOURCE_DIR)) {
-    if (edge.from == "client") EXPECT_EQ(edge.to, "proto") << edge.place;
+    if (edge.from == "client") {
+      EXPECT_EQ(edge.to, "proto") << edge.place;
+    }
   }
 }
 

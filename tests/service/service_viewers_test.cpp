@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include "running_service.h"
+
+namespace sluice::test {
+namespace {
+
+TEST(ServiceViewers, OneThatStopsReadingDisturbsNoOther) {
+  RunningService service;
+  TestViewer silent = service.viewer();
+  silent.setView(320, 240, {v1::PNG});
+  TestViewer lively = service.viewer();
+  lively.setView(160, 120, {v1::PNG});
+  lively.send(controlMessage(v1::Control::PLAY));
+  std::uint64_t lastFrame = 0;
+  for (int k = 0; k < 30; ++k) lastFrame = lively.nextFrame().frame_id();
+  EXPECT_GE(lastFrame, 30U);
+}
+
+TEST(ServiceViewers, OneThatNeverAcknowledgesGetsTheWindowAlone) {
+  RunningService service;
+  TestViewer viewer = service.viewer();
+  viewer.setView(64, 64);
+  int frames = 0;
+  for (int k = 1; k <= 20; ++k) {
+    const std::uint64_t sequence = viewer.setCamera(cameraAt(1.5, 0.9, 1.6 + 0.01 * k));
+    v1::ClientMessage ping;
+    ping.mutable_ping();
+    const std::uint64_t pinged = viewer.send(ping);
+    ASSERT_GT(pinged, sequence);
+    for (auto message = viewer.tryReceive(std::chrono::milliseconds(50)); message;
+         message = viewer.tryReceive(std::chrono::milliseconds(50))) {
+      frames += message->has_frame() ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(frames, 2);
+}
+
+TEST(ServiceViewers, MalformedBytesEndOneConnectionAlone) {
+  RunningService service;
+  TestViewer vandal = service.viewer();
+  TestViewer viewer = service.viewer();
+  viewer.setView(64, 64);
+  viewer.nextFrame();
+  vandal.sendBinary("\xFF\xFF\xFF\xFF\xFF");
+  EXPECT_EQ(vandal.waitForEnd().code, 1007);
+  viewer.frameReflecting(viewer.setCamera(cameraAt(1.4, 0.9, 1.6)));
+}
+
+TEST(ServiceViewers, VanishingMidStreamLeavesTheOthers) {
+  RunningService service;
+  TestViewer viewer = service.viewer();
+  viewer.setView(64, 64);
+  viewer.send(controlMessage(v1::Control::PLAY));
+  for (int k = 0; k < 5; ++k) {
+    TestViewer passing = service.viewer();
+    passing.setView(200 + k, 100, {v1::PNG});
+    passing.nextFrame();
+    passing.vanish();
+    viewer.nextFrame();
+  }
+  viewer.nextFrame();
+}
+
+TEST(ServiceViewers, TimeRestsWhileNobodyWatches) {
+  RunningService service;
+  double left = 0;
+  {
+    TestViewer viewer = service.viewer();
+    viewer.send(controlMessage(v1::Control::PLAY));
+    viewer.setView(64, 64);
+    while (left < 0.02) left = viewer.nextFrame().simulation_time();
+    viewer.close();
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  TestViewer viewer("127.0.0.1", service.port());
+  viewer.hello();
+  const double found = viewer.receive(v1::ServerMessage::kStats).stats().simulation_time();
+  EXPECT_LT(found - left, 0.15) << "400 ms without a viewer, and the scene went on";
+}
+
+TEST(ServiceViewers, PlanTellsWhatIsLeftOut) {
+  RunningService service;
+  TestViewer viewer = service.viewer();
+  viewer.setView(64, 64);
+  viewer.nextFrame();
+  const v1::PlanChanged plan = viewer.receive(v1::ServerMessage::kPlanChanged).plan_changed();
+  EXPECT_GT(plan.frame().stages_size(), 3);
+  EXPECT_GT(plan.steps().stages_size(), 3);
+
+  viewer.send(updateMessage("look { liquid { opaque: true } }", {"look.liquid.opaque"}));
+  bool thicknessLeftOut = false;
+  while (!thicknessLeftOut) {
+    const v1::ServerMessage message = viewer.receive();
+    if (message.has_frame()) viewer.acknowledge(message.frame().frame_id());
+    if (!message.has_plan_changed()) continue;
+    for (const v1::Plan::LeftOut& entry : message.plan_changed().frame().left_out()) {
+      thicknessLeftOut |= entry.name().find("hickness") != std::string::npos;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sluice::test
