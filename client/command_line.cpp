@@ -17,13 +17,27 @@ namespace {
 constexpr const char* kDefaultServer = "ws://127.0.0.1:8080";
 constexpr double kDefaultTimeoutSeconds = 10;
 
-/// CLI11 prints to streams of its own choosing unless it is told where.
-void throwOrPrint(const CLI::App& app, const CLI::ParseError& error, const Output& output) {
-  if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
-    throw UsageError(std::string(error.what()) + "; run with --help for what is allowed");
+std::string verbNames(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names += (names.empty() ? "" : ", ") + verb->get_name();
   }
-  std::ostringstream unused;
-  app.exit(error, output.out, unused);
+  return names;
+}
+
+/// What parsing ended with: help is printed, anything else is bad usage.
+void printHelpOrThrow(const CLI::App& app, const CLI::ParseError& error, const Output& output) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    std::ostringstream unused;
+    app.exit(error, output.out, unused);
+    return;
+  }
+  if (app.get_subcommands().empty()) {
+    const std::vector<std::string> unknown = app.remaining();
+    throw UsageError((unknown.empty() ? "a verb is missing" : "there is no verb " + inQuotes(unknown.front())) +
+                     "; there are " + verbNames(app));
+  }
+  throw UsageError(std::string(error.what()) + "; run with --help for what is allowed");
 }
 
 }  // namespace
@@ -54,7 +68,7 @@ void execute(const std::vector<std::string>& arguments, const Output& output) {
     // CLI11 takes arguments from the back.
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ParseError& error) {
-    throwOrPrint(app, error, output);
+    printHelpOrThrow(app, error, output);
     return;
   }
 

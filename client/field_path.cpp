@@ -10,7 +10,7 @@ namespace sluice::client {
 namespace {
 
 [[noreturn]] void fail(std::string_view path, const std::string& problem) {
-  throw UsageError(quoted(path) + " is no field path: " + problem +
+  throw UsageError(inQuotes(path) + " is no field path: " + problem +
                    "; a path is written like simulation.fluids[0].viscosity");
 }
 
@@ -25,13 +25,13 @@ PathStep parseStep(std::string_view path, std::string_view text) {
   std::string_view rest(nameEnd, text.end());
   if (rest.empty()) return step;
   if (!rest.starts_with('[') || !rest.ends_with(']')) {
-    fail(path, quoted(rest) + " follows " + quoted(step.name));
+    fail(path, inQuotes(rest) + " follows " + inQuotes(step.name));
   }
   rest = rest.substr(1, rest.size() - 2);
   std::uint32_t index = 0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), index);
   if (error != std::errc() || end != rest.data() + rest.size()) {
-    fail(path, quoted(rest) + " is no index");
+    fail(path, inQuotes(rest) + " is no index");
   }
   step.index = index;
   return step;

@@ -33,7 +33,7 @@ std::pair<std::string_view, std::string_view> cut(std::string_view text, char se
 }
 
 [[noreturn]] void fail(std::string_view text, const std::string& allowed) {
-  throw UsageError(quoted(text) + " is not " + allowed);
+  throw UsageError(inQuotes(text) + " is not " + allowed);
 }
 
 }  // namespace

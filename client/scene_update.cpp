@@ -57,12 +57,12 @@ void checkIndex(const FieldDescriptor& field, const PathStep& step, const std::s
   if (!step.index) return;
   const std::string path = join(prefix, text(step));
   if (!field.is_repeated() || field.message_type() == nullptr) {
-    throw UsageError(path + ": " + quoted(step.name) + " is no list of messages, so it takes no index");
+    throw UsageError(path + ": " + inQuotes(step.name) + " is no list of messages, so it takes no index");
   }
   const std::uint32_t annotated = field.options().GetExtension(v1::info).max_items();
   const std::uint32_t allowed = annotated > 0 ? annotated : kMaxItems;
   if (*step.index >= allowed) {
-    throw UsageError(path + ": an index of " + quoted(step.name) + " is at most " + std::to_string(allowed - 1));
+    throw UsageError(path + ": an index of " + inQuotes(step.name) + " is at most " + std::to_string(allowed - 1));
   }
 }
 
@@ -72,7 +72,7 @@ void refuseSecondMember(const Message& message, const FieldDescriptor& field, co
   if (oneof == nullptr) return;
   const FieldDescriptor* taken = message.GetReflection()->GetOneofFieldDescriptor(message, oneof);
   if (taken != nullptr && taken != &field) {
-    throw UsageError(join(prefix, field.name()) + ": " + quoted(taken->name()) + " is set too, and " + oneof->name() +
+    throw UsageError(join(prefix, field.name()) + ": " + inQuotes(taken->name()) + " is set too, and " + oneof->name() +
                      " can be only one of them");
   }
 }
@@ -112,8 +112,8 @@ void put(const Place& place, const std::string& path, const std::string& value) 
   const std::unique_ptr<Message> scratch(place.parent->New());
   const bool element = place.index.has_value();
   if (const std::string problem = setValue(*scratch, *place.field, element, value); !problem.empty()) {
-    throw UsageError(path + ": " + quoted(value) + " is not " + allowedValues(*place.field, element) + " (" + problem +
-                     ")");
+    throw UsageError(path + ": " + inQuotes(value) + " is not " + allowedValues(*place.field, element) + " (" +
+                     problem + ")");
   }
   if (element) {
     elementAt(*place.parent, *place.field, *place.index)
@@ -131,7 +131,7 @@ v1::UpdateScene sceneUpdate(std::span<const std::string> assignments) {
   for (const std::string& assignment : assignments) {
     const auto equals = assignment.find('=');
     if (equals == std::string::npos) {
-      throw UsageError(quoted(assignment) + " is no assignment; one is written path=value");
+      throw UsageError(inQuotes(assignment) + " is no assignment; one is written path=value");
     }
     const std::string path = assignment.substr(0, equals);
     put(resolve(*update.mutable_scene(), path), path, assignment.substr(equals + 1));

@@ -9,7 +9,7 @@ namespace sluice::client {
 namespace {
 
 [[noreturn]] void fail(std::string_view text, const std::string& problem) {
-  throw UsageError("server " + quoted(text) + ": " + problem + "; allowed is ws://host[:port][/path]");
+  throw UsageError("server " + inQuotes(text) + ": " + problem + "; allowed is ws://host[:port][/path]");
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ ServerUrl parseServerUrl(std::string_view text) {
   std::string_view rest = text;
   if (const auto end = rest.find("://"); end != std::string_view::npos) {
     const std::string_view scheme = rest.substr(0, end);
-    if (scheme != "ws" && scheme != "http") fail(text, "the scheme " + quoted(scheme) + " is not known");
+    if (scheme != "ws" && scheme != "http") fail(text, "the scheme " + inQuotes(scheme) + " is not known");
     rest.remove_prefix(end + 3);
   }
 

@@ -7,7 +7,7 @@
 namespace sluice::client {
 
 /// What a person wrote, set off from the words of a message.
-inline std::string quoted(std::string_view text) {
+inline std::string inQuotes(std::string_view text) {
   std::string result;
   result.reserve(text.size() + 2);
   result += '\'';
