@@ -82,6 +82,7 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
     this.panel = new ParameterPanel(byId("parameters", HTMLElement), {
       submit: (edit) => this.updater.submit(edit),
       isBusy: (path) => this.updater.isBusy(path),
+      report: (message) => this.notices.show(message),
     });
     new CameraControls(this.canvas, this);
     this.watchSize();
@@ -192,6 +193,7 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
     this.scene = scene;
     this.sceneName = name;
     this.menu.show(name, scene.title);
+    document.title = scene.title ? `${scene.title} · Sluice` : "Sluice";
     this.panel.setScene(scene);
     if (!this.viewIsOwn) this.view = this.startOf(scene);
     return !sameStart;
@@ -299,6 +301,12 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
 
   /** A scene file that was dropped on the page. */
   loadSceneText(text: string): void {
+    const most = this.welcome?.limits?.maxMessageBytes ?? 0;
+    // A server closes the connection over a message that is too large. A character takes three bytes at most.
+    if (most > 0 && 3 * text.length + 64 > most) {
+      this.notices.show("This file is too large for a scene.");
+      return;
+    }
     this.loading = this.session.loadSceneText(text);
   }
 

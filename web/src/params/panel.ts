@@ -15,6 +15,8 @@ export interface PanelHost {
   submit(edit: Edit): void;
   /** An edit of this field is under way, so that what the server last said about it is out of date. */
   isBusy(path: string): boolean;
+  /** Takes a complaint for which the panel has no place. */
+  report(message: string): void;
 }
 
 export class ParameterPanel {
@@ -29,7 +31,12 @@ export class ParameterPanel {
   constructor(
     private readonly container: HTMLElement,
     private readonly host: PanelHost,
-  ) {}
+  ) {
+    // Whoever lets go of a control sees what the server has said meanwhile. A release comes before its own edit.
+    for (const type of ["focusout", "pointerup"]) {
+      container.addEventListener(type, () => setTimeout(() => this.catchUp()));
+    }
+  }
 
   setScene(scene: Scene): void {
     this.tree = parameterTree(scene);
@@ -49,13 +56,26 @@ export class ParameterPanel {
   /** The last edit of a field was answered. A refused one goes back to the server's value, and says why. */
   settled(path: string, error: string | undefined): void {
     const row = this.rows.get(path);
-    if (error !== undefined) this.complain(path, error);
-    if (error === undefined && !this.missed.has(path)) return;
-    if (row?.isHeld() && error === undefined) return;
-    this.missed.delete(path);
+    if (error === undefined) {
+      this.catchUp();
+      return;
+    }
     const field = fieldsIn(this.tree).find((candidate) => candidate.path === path);
     if (row && field) row.show(field);
-    else if (error !== undefined) this.rebuild(path, error);
+    else this.rebuild();
+    this.missed.delete(path);
+    if (!this.complain(path, error)) this.host.report(`${path}: ${error}`);
+  }
+
+  /** Shows server values that had to wait, where nobody is at the control any more. */
+  private catchUp(): void {
+    if (this.missed.size === 0) return;
+    for (const field of fieldsIn(this.tree)) {
+      const row = this.rows.get(field.path);
+      if (!row || !this.missed.has(field.path) || row.isHeld() || this.host.isBusy(field.path)) continue;
+      this.missed.delete(field.path);
+      row.show(field);
+    }
   }
 
   /** Shows the server's word at the field that it names, or at the nearest one around it. False where there is none. */
@@ -79,14 +99,13 @@ export class ParameterPanel {
     return true;
   }
 
-  private rebuild(complainAt?: string, message?: string): void {
+  private rebuild(): void {
     const focused = this.focusedField();
     this.rows.clear();
     this.choices.clear();
     this.missed.clear();
     this.container.replaceChildren(...this.tree.map((group) => this.groupElement(group, 1)));
     this.focusField(focused);
-    if (complainAt !== undefined && message !== undefined) this.complain(complainAt, message);
   }
 
   private elements(nodes: readonly Node[], level: number): HTMLElement[] {

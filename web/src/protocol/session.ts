@@ -11,6 +11,7 @@ import {
   type Frame,
   type PlanChanged,
   type SceneChanged,
+  type ServerMessage,
   ServerMessageSchema,
   type Stats,
   type UpdateSceneSchema,
@@ -142,7 +143,11 @@ export class Session {
   }
 
   private received(bytes: Uint8Array): void {
-    const envelope = fromBinary(ServerMessageSchema, bytes);
+    const envelope = parsed(bytes);
+    if (!envelope) {
+      this.connection.drop("The server said what this page cannot read");
+      return;
+    }
     const sequence = Number(envelope.inReplyTo);
     const { message } = envelope;
     switch (message.case) {
@@ -176,5 +181,13 @@ export class Session {
         // A newer server may say what this page does not know yet.
         break;
     }
+  }
+}
+
+function parsed(bytes: Uint8Array): ServerMessage | undefined {
+  try {
+    return fromBinary(ServerMessageSchema, bytes);
+  } catch {
+    return undefined;
   }
 }

@@ -127,7 +127,7 @@ export class Readout {
     const { stats } = this;
     const frames = this.rate.count(now);
     const delay = this.delay.median(now);
-    const rate = frames > 0 ? `${frames} /s` : this.lastFrame ? "at rest" : "–";
+    const rate = !this.lastFrame ? "–" : frames === 0 && stats?.paused ? "at rest" : `${frames} /s`;
     const speed = stats?.paused ? "paused" : factor(stats?.realTimeFactor);
     this.set("rate", rate);
     this.set("delay", milliseconds(delay));
