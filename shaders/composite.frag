@@ -80,7 +80,7 @@ void main() {
   vec3 inScatter = frame.scatterAndGloss.rgb * (1.0 - transmittance) * (0.6 + 0.4 * skyLight + 0.5 * lit);
   vec3 body = refracted(P, sight, normal, thickness, origin) * transmittance + inScatter;
   // Liquid thins out towards its rim; the rim fades into what is behind it.
-  float coverage = smoothstep(0.0, 0.5 * frame.splat.z, thickness);
+  float coverage = smoothstep(0.0, 0.3 * frame.splat.z, thickness);
 #endif
 
   vec3 radiance = mix(body, reflection, reflectance);

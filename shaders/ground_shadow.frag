@@ -9,14 +9,14 @@ out vec4 factor;
 
 void main() {
   float liquid = texture(shadowMap, mapPosition).r;
-  // Half of the light on the floor comes from the sky and casts no shadow worth drawing.
-  const float sunShare = 0.55;
+  // The rest of the light on the floor comes from the sky and casts no shadow worth drawing.
+  const float sunShare = 0.65;
   float covered = 1.0 - exp(-liquid / (1.5 * frame.splat.z));
 #ifdef OPAQUE
   vec3 sunlight = vec3(1.0 - covered);
 #else
   // What waves and rims of a clear liquid turn away from its own shadow.
-  const float turnedAway = 0.55;
+  const float turnedAway = 0.75;
   vec3 sunlight = exp(-frame.absorptionAndIndex.rgb * liquid) * (1.0 - turnedAway * covered);
 #endif
   float far = length(view) / frame.floorAndHaze.w;

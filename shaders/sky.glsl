@@ -1,7 +1,7 @@
 // A clear sky: a gradient from the horizon to the zenith, and the glow around the sun.
 vec3 skyRadiance(vec3 direction) {
-  // 0.55 keeps the bright band near the horizon narrow, as the thin air overhead does.
-  float height = pow(clamp(direction.y, 0.0, 1.0), 0.55);
+  // The square root keeps the bright band near the horizon narrow, as the thin air overhead does.
+  float height = sqrt(clamp(direction.y, 0.0, 1.0));
   vec3 sky = mix(frame.skyHorizon.rgb, frame.skyZenith.rgb, height);
   float towardsSun = max(dot(direction, frame.sun.xyz), 0.0);
   vec3 warm = vec3(1.0, 0.86, 0.66);

@@ -16,5 +16,6 @@ void main() {
   vec2 halfExtent = sqrt(centre.xy * centre.xy + room) * (radius / room);
   vec2 pixel = middle / target.x + 0.5 * target.yz;
   gl_Position = vec4(2.0 * (pixel + target.w) / (target.yz + 2.0 * target.w) - 1.0, 0.0, 1.0);
-  gl_PointSize = 2.0 * max(halfExtent.x, halfExtent.y) / target.x + 1.0;
+  // A tenth of a pixel for the rounding of the rasteriser's grid.
+  gl_PointSize = 2.0 * max(halfExtent.x, halfExtent.y) / target.x + 0.1;
 }

@@ -175,6 +175,9 @@ class FluidRenderer::Impl {
       case Pass::CurvatureFlow:
         curvatureFlow_.run(frame);
         break;
+      case Pass::ImplicitCurvatureFlow:
+        implicitCurvatureFlow_.run(frame);
+        break;
       case Pass::Thickness:
         thickness_.runPoints(frame);
         break;
@@ -223,6 +226,7 @@ class FluidRenderer::Impl {
   MaskPass mask_;
   BilateralPass bilateral_;
   CurvatureFlowPass curvatureFlow_;
+  ImplicitCurvatureFlowPass implicitCurvatureFlow_;
   ThicknessPass thickness_;
   CompositePass composite_;
 };

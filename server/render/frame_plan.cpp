@@ -201,6 +201,9 @@ class Planner {
                    "max_iterations is reached");
         }
         break;
+      case v1::Smoothing::kImplicitCurvatureFlow:
+        run(Pass::ImplicitCurvatureFlow, {Resource::Surface}, {Resource::Surface});
+        break;
       case v1::Smoothing::METHOD_NOT_SET:
         leaveOut("smoothing", "no method is chosen");
         break;

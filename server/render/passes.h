@@ -4,6 +4,7 @@
 #include <map>
 
 #include "frame_context.h"
+#include "implicit_curvature_flow.h"
 #include "shadow_map.h"
 
 namespace sluice::render {
@@ -83,6 +84,17 @@ class CurvatureFlowPass {
 
  private:
   gl::Program program_;
+};
+
+/// The flow's implicit form runs on the CPU, between two GL passes: its many sweeps over a shrinking picture are
+/// several times as fast there as on software GL, where reading back and uploading cost next to nothing.
+class ImplicitCurvatureFlowPass {
+ public:
+  void run(const FrameContext& frame);
+
+ private:
+  ImplicitCurvatureFlow flow_;
+  std::vector<float> inverseDepth_;
 };
 
 /// Which parts of the composite's shader a scene needs.
