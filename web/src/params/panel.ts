@@ -8,8 +8,8 @@ import { isWithin } from "./path";
 import { type ChoiceNode, fieldsIn, type GroupNode, type Node, parameterTree, shapeOf } from "./tree";
 import type { Edit } from "./update";
 
-/** Groups that are open when the page comes up. */
-const kOpenAtFirst = new Set(["look", "look.splats", "look.smoothing", "look.thickness", "look.liquid"]);
+/** Groups that are open when the page comes up: the look, and what stands directly in it. */
+const kOpenAtFirst = /^look(\.\w+)?$/;
 
 export interface PanelHost {
   submit(edit: Edit): void;
@@ -120,7 +120,7 @@ export class ParameterPanel {
 
   private groupElement(node: GroupNode, level: number): HTMLElement {
     const summary = h("summary", {}, h("span", {}, node.label));
-    const open = this.openGroups.get(node.path) ?? kOpenAtFirst.has(node.path);
+    const open = this.openGroups.get(node.path) ?? kOpenAtFirst.test(node.path);
     const details = h("details", { class: `group level-${Math.min(level, 3)}`, "data-path": node.path, open }, summary);
     details.addEventListener("toggle", () => this.openGroups.set(node.path, details.open));
     if (node.on !== undefined) {
