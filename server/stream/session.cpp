@@ -5,6 +5,7 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/post.hpp>
+#include <exception>
 #include <sstream>
 #include <utility>
 
@@ -80,7 +81,12 @@ asio::awaitable<void> Session::run(Upgrade upgrade) {
         executor, [self] { return self->writeMessages(); }, asio::detached);
     asio::co_spawn(
         executor, [self] { return self->watch(); }, asio::detached);
-    const std::string why = co_await readMessages();
+    std::string why;
+    try {
+      why = co_await readMessages();
+    } catch (const std::exception& error) {  // Out of memory, say: this viewer's end, not the server's.
+      why = error.what();
+    }
     context_.log("viewer " + std::to_string(viewer_) + " left: " + (cutOffReason_.empty() ? why : cutOffReason_));
   }
   ended_ = true;

@@ -27,8 +27,8 @@ class LiveServer {
     backend.finish();
   }
 
-  Server& operator*() { return server_; }
   Server* operator->() { return &server_; }
+  std::uint16_t port() const { return server_.port(); }
 
   sluice::test::TestViewer connect(const sluice::test::ConnectOptions& options = {}) const {
     return {"127.0.0.1", server_.port(), options};

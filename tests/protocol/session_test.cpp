@@ -148,7 +148,7 @@ TEST(LiveSession, ViewerComesBackAfterClosing) {
   viewer.close();
   EXPECT_TRUE(server.backend.waitForLeft(1));
 
-  viewer.connect("127.0.0.1", server->port());
+  viewer.connect("127.0.0.1", server.port());
   viewer.hello();
   viewer.setView(320, 200);
   EXPECT_EQ(viewer.nextFrame().frame_id(), 1U);

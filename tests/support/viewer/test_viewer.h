@@ -41,7 +41,7 @@ struct TimedOut : std::runtime_error {
 struct ConnectOptions {
   std::string target = "/stream";
   std::string subprotocol = "sluice.v1";  ///< Empty: none is offered.
-  std::string origin;                     ///< Empty: none is sent.
+  std::string origin{};                   ///< Empty: none is sent.
   int receiveBufferBytes = 0;             ///< Of the socket; 0 leaves the system's.
 };
 

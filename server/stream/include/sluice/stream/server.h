@@ -35,8 +35,7 @@ struct ServerOptions {
 /// The HTTP and WebSocket server: the static page, /healthz and /stream. Runs on one io thread.
 class Server {
  public:
-  /// Opens the port. Throws core::EnvironmentError where it is taken or not allowed, and core::InputError where the
-  /// folder of the page is none. `backend` must outlive the server.
+  /// Opens the port. Throws core::EnvironmentError where it is taken or not allowed. `backend` must outlive the server.
   Server(const ServerOptions& options, Backend& backend);
   ~Server();
   Server(const Server&) = delete;
