@@ -85,7 +85,10 @@ v1::Scene sceneForParticleFile(const std::string& path) {
   background.set_tile_size(std::clamp(roundTile(widest / kTilesAcross), 1e-3, 1e3));
   // The proportion of the defaults: a scene 2.4 m across and 12 m of haze.
   background.set_haze_distance(5 * widest);
-  *scene.mutable_camera() = scene::fromCamera(core::framingCamera(extent.bounds.min(), extent.bounds.max()));
+  // A margin about the bounds: the splats of the outermost particles, and the corners, stay in the picture.
+  const Eigen::Vector3f margin = size / 18 + Eigen::Vector3f::Constant(static_cast<float>(extent.spacing));
+  *scene.mutable_camera() =
+      scene::fromCamera(core::framingCamera(extent.bounds.min() - margin, extent.bounds.max() + margin));
 
   scene::complete(scene);
   scene::validate(scene);

@@ -4,12 +4,13 @@ namespace sluice::scene::test {
 namespace {
 
 TEST(Complete, WritesEveryDefaultOut) {
-  v1::Liquid liquid;
-  complete(liquid);
-  EXPECT_TRUE(liquid.has_refractive_index());
-  EXPECT_DOUBLE_EQ(liquid.refractive_index(), 1.333);
-  EXPECT_TRUE(liquid.has_opaque());
-  EXPECT_DOUBLE_EQ(liquid.absorption().y(), 0.55);
+  v1::Simulation simulation;
+  complete(simulation);
+  EXPECT_TRUE(simulation.has_particle_spacing());
+  EXPECT_EQ(simulation.particle_spacing(), 0.05);
+  EXPECT_EQ(simulation.gravity().y(), -9.81);
+  EXPECT_TRUE(simulation.gravity().has_x());
+  EXPECT_TRUE(simulation.dfsph().has_warm_start());
 }
 
 TEST(Complete, KeepsWhatIsSet) {
@@ -26,7 +27,7 @@ TEST(Complete, GivesZeroToTheOtherComponentsOfAVector) {
   liquid.mutable_absorption()->set_x(5);
   complete(liquid);
   EXPECT_TRUE(liquid.absorption().has_y());
-  EXPECT_EQ(liquid.absorption().y(), 0) << "not 0.55, the default's component";
+  EXPECT_EQ(liquid.absorption().y(), 0) << "not the default's component";
 }
 
 TEST(Complete, ChoosesDefaultMembers) {

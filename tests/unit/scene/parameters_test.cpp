@@ -27,7 +27,7 @@ TEST(Parameters, CarryTheirAnnotations) {
   EXPECT_EQ(viscosity.info.unit(), "m²/s");
   EXPECT_EQ(viscosity.info.max(), 100);
   EXPECT_EQ(viscosity.info.apply(), v1::LIVE);
-  EXPECT_EQ(find("look.liquid.absorption").defaultValue, "1.9,0.55,0.35");
+  EXPECT_EQ(find("simulation.gravity").defaultValue, "0,-9.81,0");
   EXPECT_EQ(find("look.liquid.colour").type, "colour");
   EXPECT_EQ(find("simulation.dfsph.max_iterations").type, "whole number");
 }

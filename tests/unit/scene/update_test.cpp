@@ -34,9 +34,9 @@ TEST(Update, FollowsIndices) {
 
 TEST(Update, SetsBackWhatThePartialSceneDoesNotGive) {
   v1::Scene scene = smallScene();
-  scene.mutable_look()->mutable_smoothing()->set_time(3);
-  const Update update = applyUpdate(scene, {}, maskOf({"look.smoothing.time"}));
-  EXPECT_EQ(update.scene.look().smoothing().time(), 1);
+  scene.mutable_playback()->set_speed(3);
+  const Update update = applyUpdate(scene, {}, maskOf({"playback.speed"}));
+  EXPECT_EQ(update.scene.playback().speed(), 1);
 }
 
 TEST(Update, RestartsForAFieldThatNeedsIt) {
