@@ -3,6 +3,7 @@
 #include "sluice/core/input_error.h"
 #include "sluice/scene/scene.h"
 #include "sluice/sim/simulation.h"
+#include "sluice/sources/column_and_sheet.h"
 #include "sluice/sources/particle_playback.h"
 
 namespace sluice::app {
@@ -36,7 +37,7 @@ std::unique_ptr<core::ParticleSource> openSource(const v1::Scene& scene, int thr
     case v1::Scene::kParticleFile:
       return sources::openParticlePlayback(scene);
     case v1::Scene::kColumnAndSheet:
-      return sources::openBenchCloud(scene);
+      return sources::openColumnAndSheet(scene);
     default:
       throw core::InputError("", "source", "the scene has no source of particles");
   }
