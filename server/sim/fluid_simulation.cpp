@@ -92,6 +92,7 @@ void FluidSimulation::reset() {
   boundaryInReach_ = true;
   for (const Stage stage : {Stage::Sort, Stage::Neighbours, Stage::Boundary, Stage::Factors}) run(stage);
   statistics_.stages.clear();
+  findBoundaryInReach();
 }
 
 void FluidSimulation::checkOverlaps() const {

@@ -80,7 +80,14 @@ bool hold(float& position, float& velocity, float low, float high) {
 
 }  // namespace
 
-StepPlan FluidSimulation::currentPlan() const { return planStep(settings_, {state_.size(), boundaryInReach_}); }
+StepPlan FluidSimulation::currentPlan() const {
+  if (!options_.keepInertStages) return planStep(settings_, {state_.size(), boundaryInReach_});
+  // A plan for a scene where every stage has something to do; it runs with this scene's own values.
+  v1::Simulation busy = settings_;
+  busy.mutable_gravity()->set_y(-1);
+  busy.mutable_fluids(0)->set_viscosity(1);
+  return planStep(busy, {state_.size(), true});
+}
 
 bool FluidSimulation::advance() {
   const core::StepStatistics before = statistics_;
@@ -307,7 +314,7 @@ void FluidSimulation::computeFactors() {
     CompressionSum part;
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
       const Float4& d = lists_.gradientSum()[i];
-      const float denominator = (d.x * d.x + d.y * d.y + d.z * d.z) + lists_.gradientSquares()[i];
+      const float denominator = (d.x * d.x + d.y * d.y + d.z * d.z) + lists_.gradientSquares()[i];  // 1/α_i [BK17]
       factor_[i] = denominator > least ? 1 / denominator : 0;
       divergenceFactor_[i] = lists_.neighbours()[i] >= kFullNeighbourhood ? factor_[i] : 0;
       const float compressed = std::max(lists_.density()[i] - 1.0F, 0.0F);

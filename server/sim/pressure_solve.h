@@ -32,8 +32,10 @@ struct SolveOutcome {
 ///   u_i = v_i - Σ_j V_j (κ_i + κ_j) ∇W_ij - κ_i Σ_b V_b ∇W_ib,      κ_i > 0 only where the bound is met,
 ///   (D u)_i = Σ_j V_j (u_i - u_j)·∇W_ij + Σ_b V_b u_i·∇W_ib ≤ bound_i,
 ///
-/// with bound (1 - ρ̃_i)/dt in the density solve and 0 in the divergence solve, by relaxed Jacobi iteration. The
-/// velocities handed back are those whose error was measured, not an iterate later.
+/// (a static boundary answers with κ_i alone, which makes the impulses the exact adjoint of D: pressure then does no
+/// work, where a mirrored κ_i was seen to add energy at impacts) with bound (1 - ρ̃_i)/dt in the density solve and 0 in
+/// the divergence solve, by relaxed Jacobi iteration. The velocities handed back are those whose error was measured,
+/// not an iterate later.
 class PressureSolve {
  public:
   /// `velocity` and `impulse` (the start of the iteration, m²/s) are replaced by the result. Particles whose `factor`

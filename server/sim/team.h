@@ -13,6 +13,8 @@ namespace sluice::sim {
 /// with their pairs are about 110 kB, which stays in a core's second-level cache.
 inline constexpr std::size_t kChunk = 256;
 
+inline constexpr std::ptrdiff_t kChunksWorthAThread = 4;
+
 struct Chunk {
   std::size_t index;
   std::size_t first;
@@ -34,7 +36,9 @@ class Team {
   void forEachChunk(std::size_t items, Work&& work) const {
     const auto count = static_cast<std::ptrdiff_t>(chunkCount(items));
     std::exception_ptr failure;
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1 && count > 1)
+    // A thread with fewer than a few chunks costs more than it brings.
+    const int useful = static_cast<int>(std::clamp<std::ptrdiff_t>(count / kChunksWorthAThread, 1, threads_));
+#pragma omp parallel for schedule(static) num_threads(useful) if (useful > 1)
     for (std::ptrdiff_t index = 0; index < count; ++index) {
       try {
         const std::size_t first = static_cast<std::size_t>(index) * kChunk;
