@@ -99,10 +99,13 @@ export class Viewer {
   }
 }
 
-/** Mean absolute difference of two pictures, 0..255. */
+/** A difference that compression does not leave. */
+const kVisible = 12;
+
+/** The share of two pictures, 0..1, in which they differ visibly. */
 export function difference(a: Pixels, b: Pixels): number {
-  const sum = a.values.reduce((total, value, at) => total + Math.abs(value - (b.values[at] ?? 0)), 0);
-  return sum / a.values.length;
+  const differing = a.values.filter((value, at) => Math.abs(value - (b.values[at] ?? 0)) > kVisible);
+  return differing.length / a.values.length;
 }
 
 /** Standard deviation of a picture's values: 0 for a blank one. */

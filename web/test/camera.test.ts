@@ -105,7 +105,8 @@ describe("viewAxes", () => {
 describe("framed", () => {
   test("leaves wide pictures alone and stands back for narrow ones", () => {
     expect(framed(camera, 16 / 9)).toEqual(camera);
-    expect(distanceOf(framed(camera, 0.5))).toBeCloseTo(2 * distanceOf(camera), 9);
+    expect(distanceOf(framed(camera, 2 / 3))).toBeCloseTo(2 * distanceOf(camera), 9);
+    expect(framed(camera, Number.NaN)).toEqual(camera);
   });
 });
 

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, test } from "vitest";
 
-import { BilateralSchema, SmoothingSchema } from "../src/gen/sluice/v1/scene_pb";
+import { BilateralSchema, SmoothingSchema, ThicknessSchema } from "../src/gen/sluice/v1/scene_pb";
 import { labelOf } from "../src/params/annotations";
 import { type ChoiceNode, fieldsIn, type GroupNode, type Node, parameterTree, shapeOf } from "../src/params/tree";
 import { damBreak } from "./scene_fixture";
@@ -59,7 +59,11 @@ describe("parameterTree", () => {
     expect(field("look.liquid.absorption").kind).toBe("vector");
     expect(field("title").kind).toBe("text");
     expect(field("seed")).toMatchObject({ kind: "number", integer: true, wide: true, value: 1 });
-    expect(field("look.thickness.divisor")).toMatchObject({ kind: "enum", value: 4, standard: 2 });
+    expect(field("look.thickness.divisor")).toMatchObject({
+      kind: "enum",
+      value: 4,
+      standard: create(ThicknessSchema).divisor,
+    });
     expect(field("look.thickness.divisor")).toHaveProperty("options.length", 3);
   });
 

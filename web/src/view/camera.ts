@@ -99,10 +99,13 @@ export function zoom(camera: Camera, factor: number): Camera {
   return { ...camera, eye: add(camera.target, scale(viewAxes(camera).forward, -distance)) };
 }
 
+/** Scenes are framed for pictures that are at least this much wider than high. */
+const kFramedAspect = 4 / 3;
+
 /**
- * The camera a scene starts with, for a picture of this width over height. Scenes are framed for pictures that are
- * wider than high; in a narrow one the eye stands back, until the width shows what the height would.
+ * The camera a scene starts with, for a picture of this width over height. Where the picture is narrower than the scene
+ * was framed for, the eye stands back until all of the width is in it.
  */
 export function framed(camera: Camera, aspect: number): Camera {
-  return aspect > 0 && aspect < 1 ? zoom(camera, 1 / aspect) : camera;
+  return aspect > 0 && aspect < kFramedAspect ? zoom(camera, kFramedAspect / aspect) : camera;
 }
