@@ -65,6 +65,7 @@ class Connection::Impl {
   const ServerUrl& url() const { return url_; }
   const v1::Welcome& welcome() const { return welcome_; }
   Clock::duration timeout() const { return timeout_; }
+  const std::optional<v1::Stats>& latestStats() const { return latestStats_; }
 
   std::uint64_t send(v1::ClientMessage message) {
     message.set_sequence(++sequence_);
@@ -85,6 +86,7 @@ class Connection::Impl {
     if (!arrived_.empty()) {
       std::optional<v1::ServerMessage> message = std::move(arrived_.front());
       arrived_.pop_front();
+      if (message->has_stats()) latestStats_ = message->stats();
       return message;
     }
     if (readError_) throwEnded(readError_);
@@ -215,6 +217,7 @@ class Connection::Impl {
   std::deque<v1::ServerMessage> arrived_;
   std::uint64_t sequence_ = 0;
   v1::Welcome welcome_;
+  std::optional<v1::Stats> latestStats_;
 };
 
 Connection::Connection(const ServerUrl& url, Clock::duration timeout) : impl_(std::make_unique<Impl>(url, timeout)) {}
@@ -223,6 +226,7 @@ Connection::~Connection() = default;
 const ServerUrl& Connection::url() const { return impl_->url(); }
 const v1::Welcome& Connection::welcome() const { return impl_->welcome(); }
 Connection::Clock::duration Connection::timeout() const { return impl_->timeout(); }
+const std::optional<v1::Stats>& Connection::latestStats() const { return impl_->latestStats(); }
 std::uint64_t Connection::send(v1::ClientMessage message) { return impl_->send(std::move(message)); }
 std::optional<v1::ServerMessage> Connection::receive(Clock::time_point deadline) { return impl_->receive(deadline); }
 

@@ -31,9 +31,8 @@ void resize(Picture& picture, std::uint32_t width, std::uint32_t height) {
   picture.rgba.resize(kBytesPerPixel * width * height);
 }
 
-}  // namespace
-
-struct FrameDecoder::JpegHandle {
+/// One for each picture: after a damaged one, a handle may misread the next.
+struct JpegHandle {
   tjhandle handle = tjInitDecompress();
 
   JpegHandle() {
@@ -44,8 +43,7 @@ struct FrameDecoder::JpegHandle {
   JpegHandle& operator=(const JpegHandle&) = delete;
 };
 
-FrameDecoder::FrameDecoder() : jpeg_(std::make_unique<JpegHandle>()) {}
-FrameDecoder::~FrameDecoder() = default;
+}  // namespace
 
 const Picture& FrameDecoder::decode(const v1::Frame& frame) {
   switch (frame.codec()) {
@@ -64,18 +62,19 @@ const Picture& FrameDecoder::decode(const v1::Frame& frame) {
 void FrameDecoder::decodeJpeg(const v1::Frame& frame) {
   const auto* bytes = reinterpret_cast<const unsigned char*>(frame.payload().data());
   const std::size_t size = frame.payload().size();
+  const JpegHandle jpeg;
   int width = 0;
   int height = 0;
   int subsampling = 0;
   int colorspace = 0;
-  if (tjDecompressHeader3(jpeg_->handle, bytes, size, &width, &height, &subsampling, &colorspace) != 0) {
-    fail(frame, tjGetErrorStr2(jpeg_->handle));
+  if (tjDecompressHeader3(jpeg.handle, bytes, size, &width, &height, &subsampling, &colorspace) != 0) {
+    fail(frame, tjGetErrorStr2(jpeg.handle));
   }
   checkSize(frame, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
   resize(picture_, frame.width(), frame.height());
   auto* pixels = reinterpret_cast<unsigned char*>(picture_.rgba.data());
-  if (tjDecompress2(jpeg_->handle, bytes, size, pixels, width, /*pitch=*/0, height, TJPF_RGBA, 0) != 0) {
-    fail(frame, tjGetErrorStr2(jpeg_->handle));
+  if (tjDecompress2(jpeg.handle, bytes, size, pixels, width, /*pitch=*/0, height, TJPF_RGBA, 0) != 0) {
+    fail(frame, tjGetErrorStr2(jpeg.handle));
   }
 }
 

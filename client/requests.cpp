@@ -36,14 +36,11 @@ v1::ServerMessage request(Connection& connection, v1::ClientMessage message,
   throw RequestError(problem.str());
 }
 
-std::optional<v1::Stats> currentStats(Connection& connection) {
-  std::optional<v1::Stats> newest;
+v1::Stats currentStats(Connection& connection) {
   v1::ClientMessage fence;
   fence.mutable_ping();
-  request(connection, std::move(fence), [&](const v1::ServerMessage& message) {
-    if (message.has_stats()) newest = message.stats();
-  });
-  return newest;
+  request(connection, std::move(fence));
+  return connection.latestStats().value_or(v1::Stats());
 }
 
 }  // namespace sluice::client

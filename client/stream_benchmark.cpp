@@ -102,6 +102,9 @@ class StreamBenchmark {
       throw RequestError("the server sends " + v1::Codec_Name(frame.codec()) + ", not " +
                          v1::Codec_Name(options_.codec));
     }
+    if (frame.width() != options_.size.width || frame.height() != options_.size.height) {
+      throw RequestError("the server sends pictures of another size than asked for");
+    }
     const Clock::time_point received = Clock::now();
     decoder_.decode(frame);
     const Clock::time_point decoded = Clock::now();

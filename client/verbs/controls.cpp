@@ -16,8 +16,7 @@ void control(const Context& context, v1::Control::Action action, std::uint32_t t
     message.mutable_control()->set_action(action);
     request(connection, std::move(message));
   }
-  // The server tells its state after each change of it, but promises no order with the answer.
-  const v1::Stats stats = currentStats(connection).value_or(v1::Stats());
+  const v1::Stats stats = currentStats(connection);
   if (context.json) {
     context.output.out << toLine(statsJson(stats));
   } else {

@@ -72,7 +72,7 @@ void printText(std::ostream& out, const v1::Welcome& welcome, const v1::Stats& s
 
 void info(const Context& context) {
   Connection connection = context.connect();
-  const v1::Stats stats = currentStats(connection).value_or(v1::Stats());
+  const v1::Stats stats = currentStats(connection);
   (context.json ? printJson : printText)(context.output.out, connection.welcome(), stats);
 }
 

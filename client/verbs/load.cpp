@@ -45,7 +45,7 @@ void load(const Context& context, const std::string& scene) {
   request(connection, std::move(message), [&](const v1::ServerMessage& other) {
     if (other.has_scene_changed()) title = other.scene_changed().scene().title();
   });
-  const v1::Stats stats = currentStats(connection).value_or(v1::Stats());
+  const v1::Stats stats = currentStats(connection);
   if (context.json) {
     context.output.out << toLine({{"scene", scene}, {"title", title}, {"particles", stats.particles()}});
   } else {

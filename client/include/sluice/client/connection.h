@@ -26,6 +26,9 @@ class Connection {
   const v1::Welcome& welcome() const;
   Clock::duration timeout() const;
 
+  /// The newest Stats that `receive` has given out; none before the first.
+  const std::optional<v1::Stats>& latestStats() const;
+
   /// Numbers the message, sends it, and returns its number. Throws RequestError for a message larger than the server
   /// takes, ConnectionError where it cannot be sent.
   std::uint64_t send(v1::ClientMessage message);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include "sluice/v1/session.pb.h"
@@ -15,14 +14,9 @@ struct Picture {
   std::vector<std::byte> rgba;  ///< 4·width·height bytes.
 };
 
-/// Decodes the frames of a stream, keeping its buffers from one to the next. For one thread at a time.
+/// Decodes the frames of a stream, keeping its buffer from one to the next. For one thread at a time.
 class FrameDecoder {
  public:
-  FrameDecoder();
-  ~FrameDecoder();
-  FrameDecoder(const FrameDecoder&) = delete;
-  FrameDecoder& operator=(const FrameDecoder&) = delete;
-
   /// Valid until the next call. Throws RequestError for a payload that is damaged, of a codec that was not asked for,
   /// or of another size than the frame says.
   const Picture& decode(const v1::Frame& frame);
@@ -31,8 +25,6 @@ class FrameDecoder {
   void decodeJpeg(const v1::Frame& frame);
   void decodePng(const v1::Frame& frame);
 
-  struct JpegHandle;
-  std::unique_ptr<JpegHandle> jpeg_;
   Picture picture_;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "sluice/client/connection.h"
@@ -18,8 +17,8 @@ std::string describe(const v1::Error& error);
 v1::ServerMessage request(Connection& connection, v1::ClientMessage message,
                           const std::function<void(const v1::ServerMessage&)>& other = {});
 
-/// Takes in everything that the server sent before it saw this call, by a Ping and its Pong, and returns the newest
-/// Stats among it.
-std::optional<v1::Stats> currentStats(Connection& connection);
+/// The state that the server told last: takes in everything that it sent before it saw this call, by a Ping and its
+/// Pong. The server tells its state after each change of it, but promises no order with the change's Done.
+v1::Stats currentStats(Connection& connection);
 
 }  // namespace sluice::client
