@@ -6,11 +6,13 @@ std::vector<std::string_view> CompositeVariant::defines() const {
   std::vector<std::string_view> names;
   if (opaque) names.emplace_back("OPAQUE");
   if (specular) names.emplace_back("SPECULAR");
+  if (normals) names.emplace_back("NORMALS");
   return names;
 }
 
 void CompositePass::run(const FrameContext& frame) {
-  const CompositeVariant variant{frame.look.liquid().opaque(), frame.look.liquid().specular() > 0};
+  const CompositeVariant variant{frame.look.liquid().opaque(), frame.look.liquid().specular() > 0,
+                                 view_ == View::Normals};
   auto program = programs_.find(variant);
   if (program == programs_.end()) {
     program = programs_.emplace(variant, shaders().program("picture.vert", "composite.frag", variant.defines())).first;

@@ -76,6 +76,18 @@ class FluidRenderer::Impl {
 
   const core::Plan& plan() const { return plan_; }
 
+  void show(View view) { composite_.show(view); }
+
+  FloatPicture readBuffer(Resource resource) const {
+    FloatPicture picture;
+    if (!targets_.has(resource)) return picture;
+    picture.size = targets_.size(resource);
+    picture.values.resize(static_cast<std::size_t>(picture.size.width) * static_cast<std::size_t>(picture.size.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_.framebuffer(resource));
+    glReadPixels(0, 0, picture.size.width, picture.size.height, GL_RED, GL_FLOAT, picture.values.data());
+    return picture;
+  }
+
  private:
   void checkSize(core::ImageSize size) const {
     if (size.width < 1 || size.height < 1 || size.width > maxEdge_ || size.height > maxEdge_) {
@@ -107,8 +119,8 @@ class FluidRenderer::Impl {
   }
 
   ReuseTraits reuse(const v1::Background& background, const core::Camera& camera, core::ImageSize size) const {
-    return {targets_.holds(Resource::Background, size) && cameraOfBackground_ == camera &&
-            same(backgroundOf_, background)};
+    return {targets_.has(Resource::Background) && targets_.size(Resource::Background) == size &&
+            cameraOfBackground_ == camera && same(backgroundOf_, background)};
   }
 
   void setUpGl() {
@@ -238,6 +250,10 @@ core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const
                                   const v1::Background& background, const core::Camera& camera, core::ImageSize size) {
   return impl_->render(particles, look, background, camera, size);
 }
+
+void FluidRenderer::show(View view) { impl_->show(view); }
+
+FloatPicture FluidRenderer::readBuffer(Resource resource) const { return impl_->readBuffer(resource); }
 
 const core::Plan& FluidRenderer::plan() const { return impl_->plan(); }
 

@@ -56,11 +56,6 @@ void FrameTargets::fit(const FramePlan& plan) {
   }
 }
 
-bool FrameTargets::holds(Resource resource, core::ImageSize size) const {
-  const auto found = targets_.find(resource);
-  return found != targets_.end() && found->second.buffer.size == size;
-}
-
 const FrameTargets::Target& FrameTargets::target(Resource resource) const {
   const auto found = targets_.find(resource);
   SLUICE_CHECK(found != targets_.end());

@@ -14,8 +14,8 @@ class FrameTargets {
   /// Makes the buffers exactly those that `plan` needs. Content is kept where a buffer stays as it is.
   void fit(const FramePlan& plan);
 
-  /// Whether the content of a buffer of that size is still there.
-  bool holds(Resource resource, core::ImageSize size) const;
+  /// Whether the last plan that was fitted has that buffer as a texture.
+  bool has(Resource resource) const { return targets_.contains(resource); }
 
   const gl::Texture& texture(Resource resource) const { return target(resource).texture; }
   GLuint framebuffer(Resource resource) const { return target(resource).framebuffer.name(); }

@@ -10,7 +10,6 @@ void ImplicitCurvatureFlowPass::run(const FrameContext& frame) {
   settings.time = static_cast<float>(smoothing.time() * frame.scale.spacing * frame.scale.spacing);
   settings.edge = static_cast<float>(method.edge_in_radii() * frame.scale.radius);
   settings.steps = static_cast<int>(method.steps());
-  settings.cycles = static_cast<int>(method.cycles());
 
   const core::ImageSize size = frame.view.size;
   inverseDepth_.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));

@@ -6,6 +6,7 @@
 #include "frame_context.h"
 #include "implicit_curvature_flow.h"
 #include "shadow_map.h"
+#include "sluice/render/fluid_renderer.h"
 
 namespace sluice::render {
 
@@ -101,6 +102,7 @@ class ImplicitCurvatureFlowPass {
 struct CompositeVariant {
   bool opaque = false;
   bool specular = false;
+  bool normals = false;
 
   auto operator<=>(const CompositeVariant&) const = default;
   std::vector<std::string_view> defines() const;
@@ -110,8 +112,10 @@ struct CompositeVariant {
 class CompositePass {
  public:
   void run(const FrameContext& frame);
+  void show(View view) { view_ = view; }
 
  private:
+  View view_ = View::Liquid;
   std::map<CompositeVariant, gl::Program> programs_;
 };
 

@@ -1,15 +1,29 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "sluice/core/camera.h"
 #include "sluice/core/frame.h"
 #include "sluice/core/particle_snapshot.h"
 #include "sluice/core/plan.h"
 #include "sluice/gl/context.h"
+#include "sluice/render/frame_plan.h"
 #include "sluice/v1/scene.pb.h"
 
 namespace sluice::render {
+
+/// What a picture shows.
+enum class View {
+  Liquid,
+  Normals,  ///< The smoothed surface's normals in view space, a colour per component: ½ + ½·n, as linear values.
+};
+
+/// One value per pixel, row by row from the top.
+struct FloatPicture {
+  core::ImageSize size;
+  std::vector<float> values;
+};
 
 /// Draws particles as liquid. Lives on the thread of its context. Buffers are kept between frames of equal plans.
 class FluidRenderer {
@@ -24,6 +38,13 @@ class FluidRenderer {
   /// the time of every pass and of the read-back; the caller fills in the rest of it.
   core::Frame render(const core::ParticleSnapshot& particles, const v1::Look& look, const v1::Background& background,
                      const core::Camera& camera, core::ImageSize size);
+
+  /// What the pictures from now on show.
+  void show(View view);
+
+  /// A buffer of the last frame, for studies and tests: Resource::Surface (inverse eye depth, 1/m, after smoothing) or
+  /// Resource::Thickness (m). Empty when the frame did without it.
+  FloatPicture readBuffer(Resource resource) const;
 
   /// What the last frame ran and left out.
   const core::Plan& plan() const;

@@ -1,0 +1,96 @@
+// Cameras and clouds that break careless renderers: no GL error, nothing that is not finite, the same picture twice.
+#include "render_test.h"
+#include "sluice/core/input_error.h"
+
+namespace sluice::testing {
+namespace {
+
+struct Case {
+  std::string name;
+  core::Camera camera;
+  core::ImageSize size{96, 72};
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+class CameraCase : public RenderTest, public ::testing::WithParamInterface<Case> {};
+
+TEST_P(CameraCase, GivesAFiniteAndRepeatablePicture) {
+  const Case& c = GetParam();
+  const core::ParticleSnapshot particles = columnAndSheet(1500);
+  look.mutable_smoothing()->mutable_curvature_flow()->set_max_iterations(20);
+  for (const int method : {0, 1, 2}) {
+    if (method == 1) look.mutable_smoothing()->mutable_bilateral();
+    if (method == 2) look.mutable_smoothing()->mutable_implicit_curvature_flow();
+    const core::Frame first = render(particles, c.camera, c.size);
+    for (const render::Resource resource : {render::Resource::Surface, render::Resource::Thickness}) {
+      for (const float value : renderer.readBuffer(resource).values) {
+        ASSERT_TRUE(std::isfinite(value)) << name(resource);
+        ASSERT_GE(value, 0.0F) << name(resource);
+      }
+    }
+    EXPECT_EQ(first.pixels, render(particles, c.camera, c.size).pixels);
+  }
+}
+
+const Eigen::Vector3f kUp(0, 1, 0);
+const Eigen::Vector3f kMiddle(0.85F, 0.25F, 0.5F);
+
+INSTANTIATE_TEST_SUITE_P(Cases, CameraCase,
+                         ::testing::Values(Case{"InsideTheColumn", {{0.25F, 0.3F, 0.5F}, kMiddle, kUp, 45}},
+                                           Case{"SkimmingTheSheet",
+                                                {{1.9F, 0.12F, 0.5F}, {0.2F, 0.11F, 0.5F}, kUp, 45}},
+                                           Case{"AtAParticle", {columnAndSheet(1500).positions[40], kMiddle, kUp, 45}},
+                                           Case{"BehindTheCamera", {{1.9F, 1.25F, 3}, {3, 2, 6}, kUp, 45}},
+                                           Case{"NarrowLens", {{1.9F, 1.25F, 3}, kMiddle, kUp, 5}},
+                                           Case{"WideLens", {{1.0F, 0.5F, 0.9F}, kMiddle, kUp, 120}},
+                                           Case{"WidePicture", {{1.9F, 1.25F, 3}, kMiddle, kUp, 45}, {240, 60}},
+                                           Case{"SubPixelSplats", {{200, 150, 300}, kMiddle, kUp, 45}},
+                                           Case{"VeryFar", {{4e4F, 3e4F, 6e4F}, kMiddle, kUp, 1}},
+                                           Case{"HugeSplats", {{0.85F, 0.25F, 0.56F}, kMiddle, kUp, 20}, {400, 300}},
+                                           Case{"StraightDown", {{0.85F, 3, 0.5F}, kMiddle, kUp, 45}},
+                                           Case{"EyeAtTarget", {kMiddle, kMiddle, kUp, 45}},
+                                           Case{"BelowTheFloor", {{0.85F, -1, 2}, kMiddle, kUp, 45}},
+                                           Case{"OnTheFloor", {{0.85F, 0, 2}, {0.85F, 0, 0.5F}, kUp, 45}},
+                                           Case{"OnePixel", {{1.9F, 1.25F, 3}, kMiddle, kUp, 45}, {1, 1}},
+                                           Case{"OneColumn", {{1.9F, 1.25F, 3}, kMiddle, kUp, 45}, {1, 33}},
+                                           Case{"OddSize", {{1.9F, 1.25F, 3}, kMiddle, kUp, 45}, {101, 67}}),
+                         [](const auto& testCase) { return testCase.param.name; });
+
+class Clouds : public RenderTest {};
+
+TEST_F(Clouds, OneTwoOrManyCoincidentParticles) {
+  const Eigen::Vector3f p(0, 0, -2);
+  for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{500}}) {
+    render(cloud(std::vector<Eigen::Vector3f>(count, p), 0.2), alongZ(), {64, 64});
+    const render::FloatPicture surface = renderer.readBuffer(render::Resource::Surface);
+    EXPECT_GT(surface.values[32 * 64 + 32], 0.5F) << count;
+    for (const float value : renderer.readBuffer(render::Resource::Thickness).values) EXPECT_TRUE(std::isfinite(value));
+  }
+}
+
+TEST_F(Clouds, SplatsReachInFromOutsideThePicture) {
+  // The centre is a whole radius beyond the left edge of the picture's middle row.
+  look.mutable_smoothing()->set_time(0);
+  const float edge = -2.0F * std::tan(0.5F * 45.0F * 3.14159265F / 180.0F);
+  render(cloud({{edge - 0.1F, 0, -2}}, 0.2), alongZ(), {101, 101});
+  const render::FloatPicture surface = renderer.readBuffer(render::Resource::Surface);
+  EXPECT_GT(surface.values[50 * 101], 0.0F);
+}
+
+TEST_F(Clouds, ResizingGivesThePictureOfThatSize) {
+  const core::ParticleSnapshot particles = columnAndSheet(800);
+  const core::Frame before = render(particles, columnAndSheetCamera(), {80, 60});
+  EXPECT_EQ(render(particles, columnAndSheetCamera(), {61, 47}).pixels.size(), 61U * 47U * 4U);
+  EXPECT_EQ(before.pixels, render(particles, columnAndSheetCamera(), {80, 60}).pixels);
+}
+
+TEST_F(Clouds, ImpossibleSizesAreRefused) {
+  const core::ParticleSnapshot particles = columnAndSheet(10);
+  EXPECT_THROW(render(particles, alongZ(), {0, 10}), core::InputError);
+  EXPECT_THROW(render(particles, alongZ(), {10, -1}), core::InputError);
+  EXPECT_THROW(render(particles, alongZ(), {1 << 20, 1}), core::InputError);
+}
+
+}  // namespace
+}  // namespace sluice::testing

@@ -1,0 +1,105 @@
+// Leaving work out does not change the picture: each gate against a frame that does the work.
+#include "render_test.h"
+
+namespace sluice::testing {
+namespace {
+
+class Gate : public RenderTest {
+ protected:
+  bool ran(std::string_view pass) const {
+    for (const core::PlannedStage& stage : renderer.plan().stages) {
+      if (stage.name == pass) return true;
+    }
+    return false;
+  }
+
+  core::ParticleSnapshot particles = columnAndSheet(3000);
+  core::Camera camera = columnAndSheetCamera();
+  core::ImageSize size{200, 150};
+};
+
+TEST_F(Gate, KeptBackgroundIsTheSame) {
+  const core::Frame first = render(particles, camera, size);
+  EXPECT_TRUE(ran("background"));
+  const core::Frame second = render(particles, camera, size);
+  EXPECT_FALSE(ran("background"));
+  EXPECT_EQ(first.pixels, second.pixels);
+}
+
+TEST_F(Gate, KeptShadowIsTheSame) {
+  particles.sequence = 1;
+  const core::Frame first = render(particles, camera, size);
+  const core::Frame kept = render(particles, camera, size);
+  particles.sequence = 2;
+  const core::Frame again = render(particles, camera, size);
+  EXPECT_EQ(first.pixels, kept.pixels);
+  EXPECT_EQ(first.pixels, again.pixels);
+}
+
+TEST_F(Gate, NoSmoothingEqualsSmoothingByNothing) {
+  // The least time that still runs every method moves no surface by as much as a bit of the picture.
+  look.mutable_smoothing()->set_time(0);
+  const core::Frame without = render(particles, camera, size);
+  EXPECT_FALSE(ran("bilateral"));
+  look.mutable_smoothing()->set_time(1e-12);
+  look.mutable_smoothing()->mutable_bilateral();
+  const core::Frame with = render(particles, camera, size);
+  EXPECT_TRUE(ran("bilateral"));
+  EXPECT_EQ(without.pixels, with.pixels);
+}
+
+TEST_F(Gate, HighlightWithoutSunlightIsTheSame) {
+  // With the sun below the horizon no surface that faces up or to the eye catches its highlight.
+  background.mutable_sun_direction()->set_x(0);
+  background.mutable_sun_direction()->set_y(-1);
+  background.mutable_sun_direction()->set_z(-1);
+  core::Camera above = camera;
+  above.eye = {0.8F, 2.5F, 0.6F};
+  const core::ParticleSnapshot flat = slab(0.0F, 0.5F, 0.05F);
+  core::ParticleSnapshot pool = flat;
+  for (Eigen::Vector3f& p : pool.positions) p = {p.x() + 0.8F, 0.1F + 0.5F * p.z(), p.y() + 0.6F};
+  above.target = {0.8F, 0.0F, 0.5F};
+  look.mutable_liquid()->set_specular(0);
+  const core::Frame without = render(pool, above, size);
+  look.mutable_liquid()->set_specular(1e-30);
+  const core::Frame with = render(pool, above, size);
+  EXPECT_EQ(without.pixels, with.pixels);
+}
+
+TEST_F(Gate, ShadowOfNoStrengthIsTheSame) {
+  background.set_shadow(0);
+  const core::Frame without = render(particles, camera, size);
+  EXPECT_FALSE(ran("ground shadow"));
+  background.set_shadow(1e-9);
+  const core::Frame with = render(particles, camera, size);
+  EXPECT_TRUE(ran("ground shadow"));
+  EXPECT_EQ(without.pixels, with.pixels);
+}
+
+TEST_F(Gate, NoParticlesShowTheBackground) {
+  const core::Frame empty = render(cloud({}, 0.05), camera, size);
+  const core::Frame behind = render(cloud({camera.eye + 5.0F * (camera.eye - camera.target)}, 0.05), camera, size);
+  EXPECT_FALSE(ran("composite"));
+  EXPECT_EQ(empty.pixels, behind.pixels);
+}
+
+TEST_F(Gate, OpaqueLiquidDoesNotDependOnThickness) {
+  look.mutable_liquid()->set_opaque(true);
+  look.mutable_thickness()->set_divisor(1);
+  const core::Frame full = render(particles, camera, size);
+  EXPECT_FALSE(ran("thickness"));
+  look.mutable_thickness()->set_divisor(4);
+  EXPECT_EQ(full.pixels, render(particles, camera, size).pixels);
+}
+
+TEST_F(Gate, FramesNameThePassesThatRan) {
+  const core::Frame frame = render(particles, camera, size);
+  std::vector<std::string> timed;
+  for (const core::StageTime& stage : frame.tag.stages) timed.push_back(stage.name);
+  for (const core::PlannedStage& stage : renderer.plan().stages) {
+    EXPECT_NE(std::find(timed.begin(), timed.end(), stage.name), timed.end()) << stage.name;
+  }
+}
+
+}  // namespace
+}  // namespace sluice::testing

@@ -1,0 +1,90 @@
+// One picture per stage of a frame. Look at a picture before it becomes the golden.
+#include <algorithm>
+
+#include "image_comparison.h"
+#include "render_test.h"
+
+namespace sluice::testing {
+namespace {
+
+using render::FloatPicture;
+using render::Resource;
+
+/// Grey from black, 0, to white, `white`.
+core::Frame asGrey(const FloatPicture& picture, double black, double white) {
+  core::Frame frame;
+  frame.size = picture.size;
+  for (const float value : picture.values) {
+    const double grey = value > 0 ? std::clamp((value - black) / (white - black), 0.0, 1.0) : 0.0;
+    const auto level = static_cast<std::uint8_t>(std::lround(255 * grey));
+    frame.pixels.insert(frame.pixels.end(), {level, level, level, 255});
+  }
+  return frame;
+}
+
+class Golden : public RenderTest {
+ protected:
+  core::Frame draw() { return render(particles, camera, size); }
+  /// The surface's inverse depth, 0.25 to 0.5 per metre.
+  core::Frame surface() {
+    draw();
+    return asGrey(renderer.readBuffer(Resource::Surface), 0.25, 0.5);
+  }
+
+  core::ParticleSnapshot particles = columnAndSheet(8000);
+  core::Camera camera = columnAndSheetCamera();
+  core::ImageSize size{320, 240};
+};
+
+TEST_F(Golden, Background) {
+  particles = cloud({}, 0.05);
+  EXPECT_EQ(compareWithGolden("background", draw()), "");
+}
+
+TEST_F(Golden, Splats) {
+  look.mutable_smoothing()->set_time(0);
+  EXPECT_EQ(compareWithGolden("splats", surface()), "");
+}
+
+TEST_F(Golden, Bilateral) {
+  look.mutable_smoothing()->mutable_bilateral();
+  EXPECT_EQ(compareWithGolden("bilateral", surface()), "");
+}
+
+TEST_F(Golden, CurvatureFlow) {
+  look.mutable_smoothing()->mutable_curvature_flow();
+  EXPECT_EQ(compareWithGolden("curvature_flow", surface()), "");
+}
+
+TEST_F(Golden, ImplicitCurvatureFlow) {
+  look.mutable_smoothing()->mutable_implicit_curvature_flow();
+  EXPECT_EQ(compareWithGolden("implicit_curvature_flow", surface()), "");
+}
+
+TEST_F(Golden, Normals) {
+  renderer.show(render::View::Normals);
+  EXPECT_EQ(compareWithGolden("normals", draw()), "");
+}
+
+TEST_F(Golden, Thickness) {
+  look.mutable_thickness()->set_divisor(1);
+  draw();
+  EXPECT_EQ(compareWithGolden("thickness", asGrey(renderer.readBuffer(Resource::Thickness), 0, 1)), "");
+}
+
+TEST_F(Golden, Composite) { EXPECT_EQ(compareWithGolden("composite", draw()), ""); }
+
+TEST_F(Golden, CompositeOpaque) {
+  look.mutable_liquid()->set_opaque(true);
+  EXPECT_EQ(compareWithGolden("composite_opaque", draw()), "");
+}
+
+TEST_F(Golden, GroundShadow) {
+  // From high up, with much shadow and the liquid all but invisible.
+  background.set_shadow(1);
+  camera.eye = {-1.5F, 2.0F, -1.5F};
+  EXPECT_EQ(compareWithGolden("ground_shadow", draw()), "");
+}
+
+}  // namespace
+}  // namespace sluice::testing

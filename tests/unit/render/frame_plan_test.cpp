@@ -1,0 +1,144 @@
+#include "sluice/render/frame_plan.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "sluice/scene/scene.h"
+
+namespace sluice::render {
+namespace {
+
+using ::testing::Contains;
+using ::testing::Field;
+
+class FramePlanTest : public ::testing::Test {
+ protected:
+  FramePlanTest() {
+    scene::complete(look);
+    scene::complete(background);
+    traits.spacing = 0.02;
+    traits.points = 1000;
+    traits.nearestDepth = 2;
+    traits.pixelSlope = 1e-3;
+  }
+
+  FramePlan plan() const { return planFrame(look, background, {640, 480}, traits, reuse); }
+  static auto names(std::string_view name) { return Contains(Field(&core::LeftOut::name, std::string(name))); }
+
+  v1::Look look;
+  v1::Background background;
+  DataTraits traits;
+  ReuseTraits reuse;
+};
+
+TEST_F(FramePlanTest, IsPure) {
+  EXPECT_EQ(plan().steps, plan().steps);
+  EXPECT_EQ(plan().buffers, plan().buffers);
+  EXPECT_EQ(plan().describe(), plan().describe());
+}
+
+TEST_F(FramePlanTest, DefaultRunsEveryPartOfTheLook) {
+  const FramePlan p = plan();
+  for (const Pass pass : {Pass::Background, Pass::GroundShadow, Pass::SelectSplats, Pass::Splats, Pass::Mask,
+                          Pass::ImplicitCurvatureFlow, Pass::Thickness, Pass::Composite}) {
+    EXPECT_TRUE(p.runs(pass)) << name(pass);
+  }
+}
+
+TEST_F(FramePlanTest, PassesReadOnlyWhatIsThere) {
+  for (const auto choose :
+       {+[](v1::Smoothing& s) { s.mutable_bilateral(); }, +[](v1::Smoothing& s) { s.mutable_curvature_flow(); },
+        +[](v1::Smoothing& s) { s.mutable_implicit_curvature_flow(); }}) {
+    choose(*look.mutable_smoothing());
+    std::vector<Resource> there{Resource::Particles};
+    for (const PassStep& step : plan().steps) {
+      for (const Resource resource : step.reads) EXPECT_THAT(there, Contains(resource)) << name(step.pass);
+      there.insert(there.end(), step.writes.begin(), step.writes.end());
+    }
+  }
+}
+
+TEST_F(FramePlanTest, OpaqueLiquidNeedsNoThickness) {
+  look.mutable_liquid()->set_opaque(true);
+  const FramePlan p = plan();
+  EXPECT_FALSE(p.runs(Pass::Thickness));
+  EXPECT_EQ(p.buffer(Resource::Thickness), nullptr);
+  EXPECT_THAT(p.leftOut, names("thickness"));
+  EXPECT_THAT(p.leftOut, names("refraction"));
+}
+
+TEST_F(FramePlanTest, NoSmoothingTimeMeansNoSmoothingPass) {
+  look.mutable_smoothing()->set_time(0);
+  look.mutable_smoothing()->mutable_bilateral();
+  const FramePlan p = plan();
+  EXPECT_FALSE(p.runs(Pass::Bilateral));
+  EXPECT_EQ(p.buffer(Resource::SurfaceScratch), nullptr);
+  EXPECT_THAT(p.leftOut, names("smoothing"));
+}
+
+TEST_F(FramePlanTest, NoParticlesLeavesTheBackgroundAlone) {
+  traits.points = 0;
+  const FramePlan p = plan();
+  EXPECT_EQ(p.steps.size(), 1U);
+  EXPECT_EQ(p.buffers.size(), 1U);
+  EXPECT_THAT(p.leftOut, names("liquid"));
+}
+
+TEST_F(FramePlanTest, KeptBackgroundIsNotDrawnAgain) {
+  reuse.background = true;
+  const FramePlan p = plan();
+  EXPECT_FALSE(p.runs(Pass::Background));
+  EXPECT_NE(p.buffer(Resource::Background), nullptr);
+}
+
+TEST_F(FramePlanTest, ShadowNeedsFloorAndStrength) {
+  background.set_floor(false);
+  EXPECT_FALSE(plan().runs(Pass::GroundShadow));
+  background.set_floor(true);
+  background.set_shadow(0);
+  const FramePlan p = plan();
+  EXPECT_FALSE(p.runs(Pass::GroundShadow));
+  EXPECT_EQ(p.buffer(Resource::Scene), nullptr);
+}
+
+TEST_F(FramePlanTest, LargeSplatsHaveTheirOwnPasses) {
+  EXPECT_FALSE(plan().runs(Pass::LargeSplats));
+  traits.largeSplats = 3;
+  EXPECT_TRUE(plan().runs(Pass::LargeSplats));
+  EXPECT_TRUE(plan().runs(Pass::LargeThickness));
+}
+
+TEST_F(FramePlanTest, HighlightOfStrengthZeroIsLeftOut) {
+  look.mutable_liquid()->set_specular(0);
+  EXPECT_THAT(plan().leftOut, names("specular highlight"));
+}
+
+TEST_F(FramePlanTest, ThicknessDivisorShrinksItsBuffer) {
+  look.mutable_thickness()->set_divisor(4);
+  EXPECT_EQ(plan().buffer(Resource::Thickness)->size, (core::ImageSize{160, 120}));
+  EXPECT_EQ(plan().buffer(Resource::Thickness)->bytes(), 160U * 120U * 4U);
+}
+
+TEST_F(FramePlanTest, FlowStaysBelowItsBoundAndReachesItsTime) {
+  look.mutable_smoothing()->set_time(0.5);
+  look.mutable_smoothing()->mutable_curvature_flow()->set_max_iterations(10000);
+  const FlowSchedule flow = plan().flow;
+  const double footprint = traits.pixelSlope * traits.nearestDepth;
+  EXPECT_LE(flow.stepTime, 0.9 * footprint * footprint / 2);
+  EXPECT_NEAR(flow.iterations * flow.stepTime, 0.5 * traits.spacing * traits.spacing, 1e-12);
+  EXPECT_EQ(flow.iterations % 2, 0);
+  EXPECT_EQ(flow.shortfall, 0);
+}
+
+TEST_F(FramePlanTest, FlowCutShortSaysSo) {
+  look.mutable_smoothing()->set_time(50);
+  look.mutable_smoothing()->mutable_curvature_flow()->set_max_iterations(10);
+  const FramePlan p = plan();
+  EXPECT_EQ(p.flow.iterations, 10);
+  EXPECT_GT(p.flow.shortfall, 0.5);
+  EXPECT_THAT(p.leftOut, Contains(Field(&core::LeftOut::reason, "max_iterations is reached")));
+}
+
+}  // namespace
+}  // namespace sluice::render
