@@ -10,22 +10,20 @@ vec2 slopeAt(vec2 pixel) { return (pixel - 0.5 * target.yz) * target.x; }
 // Keeps far spheres at least as large as a pixel's centre needs; see visibleRadius in splat_selection.h.
 float visibleRadius(float depth) { return max(frame.splat.x, 0.75 * target.x * depth); }
 
-// Chord of the sphere (centre, radius) along W. Writing the centre as c = c_z·(W, 1) + (e, 0) gives the depths
-// z = c_z + (e·W ± √D)/a with a = 1+|W|² and D = a·R² − (a|e|² − (e·W)²): no difference of large squares.
-struct Chord {
+// Where the line of sight W crosses the sphere (centre, radius). Writing the centre as c = c_z·(W, 1) + (e, 0) gives the
+// depths z = (m ± √D)/a with a = 1+|W|², m = a·c_z + e·W and D = a·R² − (a|e|² − (e·W)²): no difference of large squares.
+struct Crossing {
+  float a;
+  float middle;       // m
   float squaredHalf;  // D; negative where the line of sight misses
-  float entry;        // eye depths, m
-  float exit;
 };
 
-Chord chordAlong(vec2 W, vec4 sphere) {
-  float a = 1.0 + dot(W, W);
+Crossing crossingAlong(vec2 W, vec4 sphere) {
+  Crossing crossing;
+  crossing.a = 1.0 + dot(W, W);
   vec2 e = sphere.xy - sphere.z * W;
   float along = dot(e, W);
-  Chord chord;
-  chord.squaredHalf = a * sphere.w * sphere.w - (a * dot(e, e) - along * along);
-  float root = sqrt(max(chord.squaredHalf, 0.0));
-  chord.entry = sphere.z + (along - root) / a;
-  chord.exit = sphere.z + (along + root) / a;
-  return chord;
+  crossing.middle = crossing.a * sphere.z + along;
+  crossing.squaredHalf = crossing.a * sphere.w * sphere.w - (crossing.a * dot(e, e) - along * along);
+  return crossing;
 }

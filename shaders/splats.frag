@@ -6,8 +6,16 @@ flat in vec4 sphere;
 out float inverseDepth;
 
 void main() {
-  Chord chord = chordAlong(slopeAt(gl_FragCoord.xy), sphere);
-  float nearDepth = frame.eyeAndNear.w;
-  bool hit = chord.squaredHalf >= 0.0 && chord.exit > nearDepth;
-  inverseDepth = hit ? 1.0 / max(chord.entry, nearDepth) : 0.0;
+  Crossing crossing = crossingAlong(slopeAt(gl_FragCoord.xy), sphere);
+  float root = sqrt(max(crossing.squaredHalf, 0.0));
+  // 1/z of the entry, (m − √D)/a.
+  float entry = crossing.a / (crossing.middle - root);
+  bool hit = crossing.squaredHalf >= 0.0;
+#ifdef LARGE
+  // A sphere that reaches before the near depth is cut off there; one that ends before it is not seen.
+  float nearest = 1.0 / frame.eyeAndNear.w;
+  hit = hit && crossing.middle + root > crossing.a * frame.eyeAndNear.w;
+  entry = crossing.middle - root > 0.0 ? min(entry, nearest) : nearest;
+#endif
+  inverseDepth = hit ? entry : 0.0;
 }

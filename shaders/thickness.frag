@@ -7,11 +7,16 @@ flat in vec4 sphere;
 out float thickness;
 
 void main() {
-  vec2 W = slopeAt(gl_FragCoord.xy);
-  Chord chord = chordAlong(W, sphere);
-  float nearDepth = frame.eyeAndNear.w;
-  float length = max(chord.exit - max(chord.entry, nearDepth), 0.0) * sqrt(1.0 + dot(W, W));
+  Crossing crossing = crossingAlong(slopeAt(gl_FragCoord.xy), sphere);
+  float root = sqrt(max(crossing.squaredHalf, 0.0));
+  // Difference of depths, times a: 2√D, or less where the sphere is cut at the near depth.
+  float depth = 2.0 * root;
+#ifdef LARGE
+  float near = crossing.a * frame.eyeAndNear.w;
+  depth = max(crossing.middle + root - max(crossing.middle - root, near), 0.0);
+#endif
   // A sphere widened to a pixel's size still holds its own volume.
   float widened = frame.splat.x / sphere.w;
-  thickness = chord.squaredHalf >= 0.0 ? frame.splat.y * widened * widened * widened * length : 0.0;
+  // (Δz)·√a is the length along the line of sight.
+  thickness = frame.splat.y * widened * widened * widened * depth * inversesqrt(crossing.a);
 }

@@ -15,9 +15,10 @@ struct LocalFlow {
   float xx, mixed, yy;  ///< Second differences of q; `mixed` is four times q_xy.
 };
 
-/// |z − z_j| ≤ edge, as in surface.glsl; 0, no liquid, is on no surface.
-inline bool onOneSurface(float reach, float q, float neighbour) {
-  return (std::abs(neighbour - q) <= reach * neighbour) & (neighbour > 0.0F);
+/// 1 where |z − z_j| ≤ edge, as in surface.glsl, else 0. No liquid, 0, is on no surface but that of no liquid. Numbers
+/// instead of truth values: products of them become vector code, branches do not.
+inline float onOneSurface(float reach, float q, float neighbour) {
+  return std::abs(neighbour - q) <= reach * neighbour ? 1.0F : 0.0F;
 }
 
 /// A = ½ (q³/|N|) [I + W Wᵀ − b bᵀ/|N|²],  N = (q_X, q_Y, q − W·∇q),  b = ∇q − W·N_3.
@@ -32,18 +33,22 @@ inline LocalFlow localFlow(const FlowRow& row, int i, float scale, float perPixe
   const float ne = row.above[i + 1];
   const float sw = row.below[i - 1];
   const float se = row.below[i + 1];
-  const bool hasW = onOneSurface(reach, q, w);
-  const bool hasE = onOneSurface(reach, q, e);
-  const bool hasN = onOneSurface(reach, q, n);
-  const bool hasS = onOneSurface(reach, q, s);
-  const bool hasCorners =
-      onOneSurface(reach, q, nw) & onOneSurface(reach, q, ne) & onOneSurface(reach, q, sw) & onOneSurface(reach, q, se);
+  const float hasW = onOneSurface(reach, q, w);
+  const float hasE = onOneSurface(reach, q, e);
+  const float hasN = onOneSurface(reach, q, n);
+  const float hasS = onOneSurface(reach, q, s);
+  const float hasCorners =
+      onOneSurface(reach, q, nw) * onOneSurface(reach, q, ne) * onOneSurface(reach, q, sw) * onOneSurface(reach, q, se);
 
   // Slopes with ghost values 2q − q_opposite across a silhouette, and q where both neighbours are gone.
-  const float forwardX = hasE ? e - q : (hasW ? q - w : 0.0F);
-  const float backwardX = hasW ? q - w : (hasE ? e - q : 0.0F);
-  const float forwardY = hasS ? s - q : (hasN ? q - n : 0.0F);
-  const float backwardY = hasN ? q - n : (hasS ? s - q : 0.0F);
+  const float stepW = hasW * (q - w);
+  const float stepE = hasE * (e - q);
+  const float stepN = hasN * (q - n);
+  const float stepS = hasS * (s - q);
+  const float forwardX = stepE + (1.0F - hasE) * stepW;
+  const float backwardX = stepW + (1.0F - hasW) * stepE;
+  const float forwardY = stepS + (1.0F - hasS) * stepN;
+  const float backwardY = stepN + (1.0F - hasN) * stepS;
   const float gradientX = 0.5F * perPixel * (forwardX + backwardX);
   const float gradientY = 0.5F * perPixel * (forwardY + backwardY);
 
@@ -56,12 +61,15 @@ inline LocalFlow localFlow(const FlowRow& row, int i, float scale, float perPixe
   const float bx = gradientX - wx * n3;
   const float by = gradientY - wy * n3;
 
+  const float a11 = mobility * (1.0F + wx * wx - bx * bx * inverse);
+  const float a22 = mobility * (1.0F + wy * wy - by * by * inverse);
+  const float a12 = mobility * (wx * wy - bx * by * inverse);
   LocalFlow flow;
-  flow.c11 = (hasW & hasE) ? mobility * (1.0F + wx * wx - bx * bx * inverse) : 0.0F;
-  flow.c22 = (hasN & hasS) ? mobility * (1.0F + wy * wy - by * by * inverse) : 0.0F;
+  flow.c11 = hasW * hasE * a11;
+  flow.c22 = hasN * hasS * a22;
   // Kept below both others, the mixed term may stay explicit for any step.
   const float limit = 0.9F * std::min(flow.c11, flow.c22);
-  const float c12 = hasCorners ? mobility * (wx * wy - bx * by * inverse) : 0.0F;
+  const float c12 = hasCorners * a12;
   flow.c12 = std::min(std::max(c12, -limit), limit);
   flow.xx = e - 2.0F * q + w;
   flow.yy = s - 2.0F * q + n;

@@ -5,7 +5,7 @@ namespace sluice::render {
 
 SplatsPass::SplatsPass()
     : points_(shaders().program("splats.vert", "splats.frag")),
-      large_(shaders().program("large_splats.vert", "splats.frag")) {}
+      large_(shaders().program("large_splats.vert", "splats.frag", std::array{std::string_view("LARGE")})) {}
 
 void SplatsPass::runPoints(const FrameContext& frame) const {
   beginTarget(frame, Resource::Surface);

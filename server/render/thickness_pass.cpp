@@ -16,7 +16,7 @@ void beginSum(const FrameContext& frame) {
 
 ThicknessPass::ThicknessPass()
     : points_(shaders().program("splats.vert", "thickness.frag")),
-      large_(shaders().program("large_splats.vert", "thickness.frag")) {}
+      large_(shaders().program("large_splats.vert", "thickness.frag", std::array{std::string_view("LARGE")})) {}
 
 void ThicknessPass::runPoints(const FrameContext& frame) const {
   beginSum(frame);
