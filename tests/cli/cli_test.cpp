@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "print_json.h"
 #include "program.h"
 
 namespace sluice::test {

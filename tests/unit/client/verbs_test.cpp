@@ -1,0 +1,391 @@
+// Every verb against a fake server: what it sends, what it prints, and how it ends.
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fake_server.h"
+#include "print_json.h"
+#include "sluice/client/command_line.h"
+#include "sluice/client/json.h"
+#include "test_pictures.h"
+
+namespace sluice::client {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+struct Outcome {
+  int exitCode = 0;
+  std::string out;
+  std::string err;
+
+  Json json() const {
+    const std::string lines = out.substr(0, out.find_last_not_of('\n') + 1);
+    return Json::parse(lines.substr(lines.rfind('\n') + 1));
+  }
+};
+
+Outcome run(std::vector<std::string> arguments, bool terminal = false) {
+  std::ostringstream out;
+  std::ostringstream err;
+  const int exitCode = runCommandLine(arguments, {out, err, terminal});
+  return {exitCode, out.str(), err.str()};
+}
+
+Outcome run(const FakeServer& server, std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--server", server.url().text(), "--timeout", "20"});
+  return run(std::move(arguments));
+}
+
+/// Refuses everything but to greet.
+Reaction refuse(const v1::ClientMessage& message) {
+  if (message.has_hello()) return oblige(message);
+  v1::ServerMessage reply = replyTo(message);
+  reply.mutable_error()->set_field_path("look.smoothing.time");
+  reply.mutable_error()->set_message("99 is outside [0, 50] d²");
+  return {.messages = {reply}};
+}
+
+/// Answers a snapshot request with this picture.
+FakeServer::React picturing(v1::Codec codec, std::string payload) {
+  return [codec, payload](const v1::ClientMessage& message) {
+    if (!message.has_snapshot()) return oblige(message);
+    v1::ServerMessage reply = replyTo(message);
+    v1::Frame& frame = *reply.mutable_frame();
+    frame.set_snapshot(true);
+    frame.set_codec(codec);
+    frame.set_width(message.snapshot().width());
+    frame.set_height(message.snapshot().height());
+    frame.set_payload(payload);
+    return Reaction{.messages = {reply}};
+  };
+}
+
+/// Streams JPEG pictures: one for each view or camera, each reflecting it.
+Reaction stream(const v1::ClientMessage& message) {
+  if (!message.has_set_view() && !message.has_set_camera()) {
+    return message.has_frame_ack() ? Reaction() : oblige(message);
+  }
+  v1::ServerMessage reply;
+  v1::Frame& frame = *reply.mutable_frame();
+  frame.set_frame_id(message.sequence());
+  frame.set_reflects_sequence(message.sequence());
+  frame.set_codec(v1::JPEG);
+  frame.set_width(32);
+  frame.set_height(16);
+  frame.set_payload(jpegOf(32, 16, 0x204060));
+  v1::StageTime& stage = *frame.add_stages();
+  stage.set_name("composite");
+  stage.set_milliseconds(2.5);
+  return {.messages = {reply}};
+}
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "sluice_client_XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string contents(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST(CommandLine, BadUsageIsTwo) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {},
+           {"dance"},
+           {"info", "--loud"},
+           {"set"},
+           {"set", "look.smoothing.tim=1"},
+           {"step", "0"},
+           {"step", "many"},
+           {"load", "./no_such_file.textproto"},
+           {"snapshot"},
+           {"snapshot", "f.png", "--size", "big"},
+           {"snapshot", "f.png", "--camera", "here"},
+           {"watch", "--count", "0"},
+           {"bench", "--codec", "gif"},
+           {"bench", "--still", "--orbit"},
+           {"script", "no_such_file"},
+           {"info", "--server", "ftp://host"},
+           {"info", "--timeout", "-1"},
+       }) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 2) << testing::PrintToString(arguments);
+    EXPECT_THAT(outcome.err, StartsWith("sluice: "));
+    EXPECT_THAT(outcome.out, IsEmpty());
+  }
+  EXPECT_THAT(run({"dance"}).err, AllOf(HasSubstr("'dance'"), HasSubstr("info, set, camera")));
+}
+
+TEST(CommandLine, HelpIsNoFailure) {
+  EXPECT_EQ(run({"--help"}).exitCode, 0);
+  EXPECT_THAT(run({"bench", "--help"}).out, HasSubstr("--quality"));
+}
+
+TEST(CommandLine, NoServerIsThree) {
+  std::string address;
+  {
+    const FakeServer gone(oblige);
+    address = gone.url().text();
+  }
+  for (const char* verb : {"info", "play", "watch", "bench", "camera"}) {
+    const Outcome outcome = run({verb, "--server", address});
+    EXPECT_EQ(outcome.exitCode, 3) << verb;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("cannot connect to " + address), HasSubstr("refused")));
+  }
+}
+
+TEST(Info, TellsWhatRuns) {
+  const FakeServer server(oblige);
+  const Outcome text = run(server, {"info"});
+  EXPECT_EQ(text.exitCode, 0) << text.err;
+  for (const char* part : {"0.1.0", "a renderer", "dam_break: A dam breaks", "1234", "paused at 1.5 s, 300 steps",
+                           "1920x1080", "JPEG PNG", "* dam_break"}) {
+    EXPECT_THAT(text.out, HasSubstr(part));
+  }
+  const Json json = run(server, {"--json", "info"}).json();
+  EXPECT_EQ(json["renderer"], "a renderer");
+  EXPECT_EQ(json["particles"], 1234);
+  EXPECT_EQ(json["paused"], true);
+  EXPECT_EQ(json["stats"]["steps"], 300);
+  EXPECT_EQ(json["codecs"], Json({"JPEG", "PNG"}));
+  EXPECT_EQ(json["scenes"][0]["name"], "dam_break");
+  EXPECT_EQ(json["scene"]["camera"]["eye"]["x"], 3);
+}
+
+TEST(Set, SendsOneUpdateOfAll) {
+  const FakeServer server(oblige);
+  const Outcome outcome = run(server, {"set", "look.smoothing.time=2", "camera.eye=-1,2,3", "--json"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(outcome.json()["changed"], Json({"look.smoothing.time", "camera.eye"}));
+  ASSERT_EQ(server.received().size(), 2U);
+  const v1::UpdateScene update = server.received()[1].update_scene();
+  EXPECT_THAT(update.mask().paths(), ElementsAre("look.smoothing.time", "camera.eye"));
+  EXPECT_EQ(update.scene().camera().eye().x(), -1);
+}
+
+TEST(Set, PassesOnTheServersRefusal) {
+  const FakeServer server(refuse);
+  const Outcome outcome = run(server, {"set", "look.smoothing.time=99"});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.err, "sluice: look.smoothing.time: 99 is outside [0, 50] d²\n");
+  EXPECT_THAT(outcome.out, IsEmpty());
+}
+
+TEST(Camera, ShowsAndChangesWhereViewersStart) {
+  const FakeServer server(oblige);
+  EXPECT_EQ(run(server, {"camera"}).out, "--eye 3,0,0 --target 0,1,0 --up 0,1,0 --fov 45\n");
+  EXPECT_EQ(server.received().size(), 1U) << "showing changes nothing";
+  const Outcome outcome = run(server, {"camera", "--eye", "-1,2,3", "--fov", "30", "--json"});
+  EXPECT_EQ(outcome.json()["eye"], Json({-1.0, 2.0, 3.0}));
+  EXPECT_EQ(outcome.json()["target"], Json({0.0, 1.0, 0.0}));
+  EXPECT_EQ(outcome.json()["vertical_fov_degrees"], 30);
+  EXPECT_THAT(server.received().back().update_scene().mask().paths(),
+              ElementsAre("camera.eye", "camera.vertical_fov_degrees"));
+}
+
+TEST(Controls, SendTheirActionAndTellTheState) {
+  const FakeServer server(oblige);
+  for (const auto& [verb, action] : {std::pair("play", v1::Control::PLAY), std::pair("pause", v1::Control::PAUSE),
+                                     std::pair("step", v1::Control::STEP), std::pair("reset", v1::Control::RESET)}) {
+    const Outcome outcome = run(server, {verb});
+    EXPECT_EQ(outcome.out, "paused at 1.5 s, 300 steps\n") << outcome.err;
+    const std::vector<v1::ClientMessage> received = server.received();
+    // Hello, the action, the Ping behind it.
+    EXPECT_EQ(received[received.size() - 2].control().action(), action) << verb;
+  }
+  EXPECT_EQ(run(server, {"pause", "--json"}).json()["paused"], true);
+}
+
+TEST(Controls, StepRepeatsItself) {
+  const FakeServer server(oblige);
+  EXPECT_EQ(run(server, {"step", "5"}).exitCode, 0);
+  EXPECT_EQ(server.received().size(), 1U + 5U + 1U);
+}
+
+TEST(Load, SendsNamesAsNamesAndFilesAsText) {
+  const FakeServer server(oblige);
+  EXPECT_EQ(run(server, {"load", "dam_break"}).exitCode, 0);
+  EXPECT_EQ(server.received()[1].load_scene().name(), "dam_break");
+
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("own.textproto")) << "title: \"mine\"";
+  const Outcome outcome = run(server, {"load", folder.file("own.textproto"), "--json"});
+  EXPECT_EQ(outcome.json()["particles"], 1234);
+  const std::vector<v1::ClientMessage> received = server.received();
+  EXPECT_EQ(received[received.size() - 2].load_scene().text(), "title: \"mine\"");
+}
+
+TEST(Load, RefusesFilesTheServerWouldNotTake) {
+  const FakeServer server(oblige);
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("long.textproto")) << std::string(2U << 20U, '#');
+  const Outcome outcome = run(server, {"load", folder.file("long.textproto")});
+  EXPECT_EQ(outcome.exitCode, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("at most 1048576"));
+}
+
+TEST(Snapshot, StoresThePayloadAsItIs) {
+  const std::string png = pngOf(8, 4, 0x808080);
+  const FakeServer server(picturing(v1::PNG, png));
+  const TemporaryFolder folder;
+  const std::string file = folder.file("f.png");
+  const Outcome outcome = run(server, {"snapshot", file, "--size", "8x4", "--camera", "1,2,3:0,0,0:60", "--json"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(contents(file), png);
+  EXPECT_EQ(outcome.json()["width"], 8);
+  EXPECT_EQ(outcome.json()["bytes"], png.size());
+  const v1::SnapshotRequest asked = server.received()[1].snapshot();
+  EXPECT_EQ(asked.camera().vertical_fov_degrees(), 60);
+  EXPECT_EQ(asked.camera().up().y(), 1) << "the camera that is sent is complete";
+}
+
+TEST(Snapshot, LeavesTheOldFileWhenRefused) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("f.png");
+  std::ofstream(file) << "precious";
+  EXPECT_EQ(run(FakeServer(refuse), {"snapshot", file}).exitCode, 1);
+  const Outcome lossy = run(FakeServer(picturing(v1::JPEG, "...")), {"snapshot", file});
+  EXPECT_EQ(lossy.exitCode, 1);
+  EXPECT_THAT(lossy.err, HasSubstr("JPEG"));
+  EXPECT_EQ(contents(file), "precious");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.file("")), {}), 1) << "nothing else is left";
+}
+
+TEST(Snapshot, AsksForNothingThatItCannotStore) {
+  const FakeServer server(oblige);
+  const TemporaryFolder folder;
+  for (const std::string& place : {folder.file("no/such/folder/f.png"), folder.file("")}) {
+    const Outcome outcome = run(server, {"snapshot", place});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.err, HasSubstr(place));
+  }
+  EXPECT_TRUE(server.received().empty());
+}
+
+/// Tells its state once to each viewer, then closes.
+Reaction tellOnceAndClose(const v1::ClientMessage& message) {
+  Reaction reaction = oblige(message);
+  v1::ServerMessage stats;
+  *stats.mutable_stats() = someStats();
+  reaction.messages.push_back(stats);
+  reaction.close = true;
+  return reaction;
+}
+
+TEST(Watch, ConnectsAgainWhenTheServerGoesAway) {
+  const FakeServer server(tellOnceAndClose);
+  const Outcome outcome = run(server, {"watch", "--count", "2", "--json"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("has ended"), HasSubstr("connected again")));
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2);
+  EXPECT_EQ(outcome.json()["steps"], 300);
+  EXPECT_EQ(server.received().size(), 2U);
+}
+
+TEST(Watch, WritesPlainLinesUnlessOnATerminal) {
+  const FakeServer server(tellOnceAndClose);
+  const std::vector<std::string> arguments = {"watch", "--count", "2", "--server", server.url().text()};
+  const std::string lines = run(arguments, /*terminal=*/false).out;
+  EXPECT_THAT(lines, StartsWith("time_s"));
+  EXPECT_EQ(lines.find('\x1b'), std::string::npos);
+  const std::string table = run(arguments, /*terminal=*/true).out;
+  EXPECT_THAT(table, AllOf(HasSubstr("\x1b["), HasSubstr("1.500 s after 300 steps")));
+}
+
+TEST(Bench, ReportsTheAgreedFigures) {
+  const FakeServer server(stream);
+  const Outcome outcome = run(server, {"bench", "--seconds", "0.3", "--size", "32x16", "--quality", "70", "--json"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  const Json json = outcome.json();
+  EXPECT_GT(json["input_to_decoded_ms"]["median"], 0);
+  EXPECT_GE(json["input_to_decoded_ms"]["p95"], json["input_to_decoded_ms"]["median"]);
+  EXPECT_GE(json["input_to_decoded_ms"]["p99"], json["input_to_decoded_ms"]["p95"]);
+  EXPECT_GT(json["frames"], 0);
+  EXPECT_NEAR(json["frames_per_second"].get<double>() * json["seconds"].get<double>(), json["frames"], 1e-6);
+  EXPECT_GT(json["kilobytes_per_second"], 0);
+  EXPECT_EQ(json["stages"]["composite"], 2.5);
+  const v1::SetView view = server.received()[1].set_view();
+  EXPECT_EQ(view.width(), 32U);
+  EXPECT_EQ(view.quality(), 70U);
+  EXPECT_THAT(view.codecs(), ElementsAre(v1::JPEG));
+}
+
+TEST(Bench, AcknowledgesEveryFrameOnceDecoded) {
+  const FakeServer server(stream);
+  ASSERT_EQ(run(server, {"bench", "--seconds", "0.2", "--size", "32x16"}).exitCode, 0);
+  std::vector<std::uint64_t> asked;
+  std::vector<std::uint64_t> acknowledged;
+  for (const v1::ClientMessage& message : server.received()) {
+    if (message.has_set_view() || message.has_set_camera()) asked.push_back(message.sequence());
+    if (message.has_frame_ack()) acknowledged.push_back(message.frame_ack().frame_id());
+  }
+  EXPECT_GT(asked.size(), 1U);
+  EXPECT_EQ(acknowledged, asked);
+}
+
+TEST(Bench, WithTheCameraAtRestMeasuresNoDelay) {
+  const FakeServer server(stream);
+  const Json json = run(server, {"bench", "--seconds", "0.1", "--size", "32x16", "--still", "--json"}).json();
+  EXPECT_TRUE(json["input_to_decoded_ms"]["median"].is_null());
+  EXPECT_EQ(json["inputs"], 0);
+  EXPECT_EQ(json["frames"], 0) << "the one frame of the view itself warms up";
+}
+
+TEST(Bench, PassesOnTheServersRefusal) {
+  const Outcome outcome = run(FakeServer(refuse), {"bench", "--seconds", "0.1"});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("99 is outside"));
+}
+
+TEST(Script, RunsLinesUpToTheFirstThatFails) {
+  const FakeServer server(oblige);
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("tour")) << "# a tour\n\npause\nset 'title=two words'\nwait 0.01\nstep none\nplay\n";
+  const Outcome outcome = run(server, {"script", folder.file("tour")});
+  EXPECT_EQ(outcome.exitCode, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("tour:6: "));
+  bool played = false;
+  std::string title;
+  for (const v1::ClientMessage& message : server.received()) {
+    played = played || (message.has_control() && message.control().action() == v1::Control::PLAY);
+    if (message.has_update_scene()) title = message.update_scene().scene().title();
+  }
+  EXPECT_EQ(title, "two words");
+  EXPECT_FALSE(played);
+}
+
+TEST(Script, EndsWithTheExitCodeOfItsLine) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("refused")) << "set look.smoothing.time=99\n";
+  EXPECT_EQ(run(FakeServer(refuse), {"script", folder.file("refused")}).exitCode, 1);
+  std::ofstream(folder.file("itself")) << "script itself\n";
+  EXPECT_EQ(run(FakeServer(oblige), {"script", folder.file("itself")}).exitCode, 2);
+  std::ofstream(folder.file("sleepy")) << "wait long\n";
+  EXPECT_EQ(run(FakeServer(oblige), {"script", folder.file("sleepy")}).exitCode, 2);
+}
+
+}  // namespace
+}  // namespace sluice::client
