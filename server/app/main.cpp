@@ -1,6 +1,9 @@
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
+
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
@@ -19,10 +22,23 @@ int report(const std::exception& error, int exitCode) {
   return exitCode;
 }
 
+/// Threads of an OpenMP team that wait by spinning take the cores from rendering, encoding and whatever else runs: on
+/// two busy cores a step took ten times as long. The OpenMP library reads its wait policy before main, from the
+/// environment alone, so the program starts itself again with the right one; a policy that is set already stays.
+void waitWithoutSpinning(char** argv) {
+  constexpr const char* kPolicy = "OMP_WAIT_POLICY";
+  if (std::getenv(kPolicy) != nullptr) return;
+  setenv(kPolicy, "passive", 1);
+  execv("/proc/self/exe", argv);
+  // Without /proc the program runs on, merely slower.
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace sluice;
+
+  waitWithoutSpinning(argv);
 
   CLI::App program("Runs particle fluids, draws them as liquid, and streams the pictures.", "sluice-server");
   program.set_version_flag("--version", app::kVersion);

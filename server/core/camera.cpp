@@ -29,8 +29,8 @@ Camera framingCamera(const Eigen::Vector3f& boundsMin, const Eigen::Vector3f& bo
   const Eigen::Vector3f centre = 0.5F * (boundsMin + boundsMax);
   const float radius = std::max(0.5F * (boundsMax - boundsMin).norm(), 1e-3F);
   const float halfAngle = 0.5F * verticalFovDegrees * std::numbers::pi_v<float> / 180.0F;
-  // The bounding sphere touches the top and bottom of the picture; 0.9 because a box seldom fills its sphere.
-  const float distance = 0.9F * radius / std::sin(halfAngle);
+  // The bounding sphere touches the top and bottom of the picture.
+  const float distance = radius / std::sin(halfAngle);
   const Eigen::Vector3f direction = Eigen::Vector3f(0.55F, 0.42F, 0.9F).normalized();
   return {centre + distance * direction, centre, Eigen::Vector3f::UnitY(), verticalFovDegrees};
 }
