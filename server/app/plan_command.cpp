@@ -64,7 +64,8 @@ int printPlan(const PlanOptions& options) {
 
 void addPlanCommand(CLI::App& program, Command& chosen) {
   const auto options = std::make_shared<PlanOptions>();
-  CLI::App& verb = *program.add_subcommand("plan", "Print what a scene runs, what it leaves out and why, and its buffers");
+  CLI::App& verb =
+      *program.add_subcommand("plan", "Print what a scene runs, what it leaves out and why, and its buffers");
   addSceneOptions(verb, options->scene, "", true);
   verb.add_option("--size", options->size, "WIDTHxHEIGHT of the picture in pixels")->capture_default_str();
   verb.add_option("--camera", options->camera, "x,y,z:x,y,z[:fovDegrees]: eye, target, vertical field of view");

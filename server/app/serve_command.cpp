@@ -92,6 +92,7 @@ int serve(const ServeOptions& options) {
   service.server.port = listen.port;
   service.server.maxViewers = options.maxViewers;
   service.server.webRoot = webRoot(options.web);
+  service.server.log = [](const std::string& line) { spdlog::info("{}", line); };
   if (service.server.webRoot.empty()) spdlog::warn("the browser page is not built; serving the stream alone");
 
   Service running(std::move(service));

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "data_traits.h"
 #include "frame_context.h"
 #include "passes.h"
 #include "sluice/core/check.h"
@@ -108,14 +109,7 @@ class FluidRenderer::Impl {
     const SplatSelection selection =
         selectSplats(particles.positions, view, {scale.radius, scale.nearDepth, maxPointPixels_});
     splats_.uploadSelection(selection, particles.positions);
-    DataTraits traits;
-    traits.spacing = scale.spacing;
-    traits.points = selection.points.size();
-    traits.hiddenPoints = selection.points.size() - selection.visiblePoints;
-    traits.largeSplats = selection.large.size();
-    traits.nearestDepth = selection.nearestDepth;
-    traits.pixelSlope = view.pixelSlope;
-    return traits;
+    return dataTraits(selection, scale, view);
   }
 
   ReuseTraits reuse(const v1::Background& background, const core::Camera& camera, core::ImageSize size) const {

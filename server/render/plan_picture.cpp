@@ -1,8 +1,6 @@
 #include "sluice/render/plan_picture.h"
 
-#include "frame_uniforms.h"
-#include "sluice/render/frame_plan.h"
-#include "splat_selection.h"
+#include "data_traits.h"
 
 namespace sluice::render {
 
@@ -12,14 +10,7 @@ core::Plan planPicture(const core::ParticleSnapshot& particles, const v1::Look& 
   const SplatScale scale = splatScale(look.splats(), particles.spacing);
   const SplatSelection selection =
       selectSplats(particles.positions, view, {scale.radius, scale.nearDepth, maxPointPixels});
-  DataTraits traits;
-  traits.spacing = scale.spacing;
-  traits.points = selection.points.size();
-  traits.hiddenPoints = selection.points.size() - selection.visiblePoints;
-  traits.largeSplats = selection.large.size();
-  traits.nearestDepth = selection.nearestDepth;
-  traits.pixelSlope = view.pixelSlope;
-  return planFrame(look, background, size, traits, {}).describe();
+  return planFrame(look, background, size, dataTraits(selection, scale, view), {}).describe();
 }
 
 }  // namespace sluice::render
