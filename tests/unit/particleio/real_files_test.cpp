@@ -1,6 +1,7 @@
 // Files that other programs wrote. They are not part of the project: the variable SLUICE_TEST_DATA names their folder.
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 
 #include <Eigen/Geometry>
 
@@ -14,6 +15,8 @@ struct Known {
   std::size_t particles;
   bool velocitiesAndIds;
 };
+
+void PrintTo(const Known& known, std::ostream* out) { *out << known.name; }
 
 class RealFiles : public testing::TestWithParam<Known> {};
 

@@ -12,6 +12,8 @@ struct Known {
   double spacing;  ///< Twice the radius that the file was simulated with, m.
 };
 
+void PrintTo(const Known& known, std::ostream* out) { *out << known.name; }
+
 class RealFiles : public testing::TestWithParam<Known> {};
 
 TEST_P(RealFiles, GiveASceneThatFitsThem) {
