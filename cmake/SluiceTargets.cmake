@@ -27,8 +27,7 @@ function(sluice_add_test name)
   gtest_discover_tests(${name}
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 60
-    # Tests run side by side; see waitWithoutSpinning in server/app/main.cpp.
-    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "OMP_WAIT_POLICY=passive;${ARG_ENVIRONMENT}")
+    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${ARG_ENVIRONMENT}")
 endfunction()
 
 # sluice_add_benchmark(<name> SOURCES ... LINK libs...) makes a Google Benchmark program that `./run bench` runs.

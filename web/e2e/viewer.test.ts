@@ -197,6 +197,9 @@ describe("the simulation", () => {
     expect((await facts()).sceneName).toBe("double_dam_break");
     await viewer.page.locator("#scene").selectOption("dam_break");
     await viewer.page.waitForFunction(() => window.sluice.facts().sceneName === "dam_break");
+    // A scene that is loaded plays unless it says otherwise.
+    await viewer.page.getByRole("button", { name: "Pause" }).click();
+    await viewer.page.waitForFunction(() => window.sluice.facts().stats!.paused);
     await viewer.rest();
   });
 
