@@ -48,6 +48,13 @@ void advanceTo(core::ParticleSource& source, double time) {
   if (!source.halted().empty()) throw core::EnvironmentError("the simulation halted: " + source.halted());
 }
 
+/// The present state under a number of its own, by which the renderer knows particles that it has seen.
+std::unique_ptr<core::ParticleSnapshot> takeSnapshot(const core::ParticleSource& source, std::uint64_t sequence) {
+  std::unique_ptr<core::ParticleSnapshot> snapshot = source.snapshot();
+  snapshot->sequence = sequence;
+  return snapshot;
+}
+
 core::Frame draw(render::FluidRenderer& renderer, const Shot& shot, const core::ParticleSnapshot& particles) {
   return renderer.render(particles, shot.scene->look(), shot.scene->background(), shot.camera, shot.size);
 }
@@ -62,7 +69,8 @@ void drawSequence(render::FluidRenderer& renderer, const Shot& shot, core::Parti
     advanceTo(source, k / framesPerSecond);
     char name[32];
     std::snprintf(name, sizeof name, "frame_%04d.png", k);
-    encode::writePng(draw(renderer, shot, *source.snapshot()), (folder / name).string());
+    const auto particles = takeSnapshot(source, static_cast<std::uint64_t>(k - range.first) + 1);
+    encode::writePng(draw(renderer, shot, *particles), (folder / name).string());
   }
 }
 
@@ -114,7 +122,8 @@ int renderScene(const RenderOptions& options) {
   } else {
     advanceTo(*source, options.time);
   }
-  const std::unique_ptr<core::ParticleSnapshot> particles = source->snapshot();
+  const std::uint64_t drawn = range ? static_cast<std::uint64_t>(range->last - range->first) + 1 : 0;
+  const std::unique_ptr<core::ParticleSnapshot> particles = takeSnapshot(*source, drawn + 1);
   // Of one picture alone the first drawing is timed, set-up included.
   Timing timing = timeFrames(renderer, shot, *particles, range ? 0 : 1);
   if (!range && !options.out.empty()) encode::writePng(draw(renderer, shot, *particles), options.out);
