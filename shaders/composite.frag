@@ -48,10 +48,10 @@ vec3 refracted(vec3 P, vec3 sight, vec3 normal, float thickness, vec3 origin) {
       hit = leaves + sight * min(left / worldSight.y, 1e3);
     }
   }
-  vec2 place = 0.5 + 0.5 * hit.xy / (hit.z * vec2(frame.rightAndSlope.w, frame.downAndSlope.w));
+  vec2 place = 0.5 + 0.5 * hit.xy / (hit.z * frame.otherSlopes.xy);
   // A ray turned out of the picture, or to a place before the liquid, sees what is straight behind.
   bool usable = hit.z > P.z && all(equal(place, clamp(place, 0.0, 1.0)));
-  return texture(scene, usable ? place : uv).rgb;
+  return texture(scene, usable ? place : 0.5 + 0.5 * slope / frame.otherSlopes.xy).rgb;
 }
 #endif
 
@@ -79,7 +79,7 @@ void main() {
   vec3 body = frame.colourAndSpecular.rgb * (0.35 * skyLight + 0.75 * lit + 0.1);
   float coverage = 1.0;
 #else
-  float thickness = texture(thicknessMap, uv).r;
+  float thickness = texture(thicknessMap, 0.5 + 0.5 * slope / frame.otherSlopes.zw).r;
   vec3 transmittance = exp(-frame.absorptionAndIndex.rgb * thickness);
   vec3 inScatter = frame.scatterAndGloss.rgb * (1.0 - transmittance) * (0.6 + 0.4 * skyLight + 0.5 * lit);
   vec3 body = refracted(P, sight, normal, thickness, origin) * transmittance + inScatter;
@@ -96,5 +96,5 @@ void main() {
   float towards = fresnel(clamp(dot(halfway, -worldSight), 0.0, 1.0), frame.absorptionAndIndex.w);
   radiance += frame.colourAndSpecular.w * towards * highlight * lit * 3.0 * vec3(1.0, 0.94, 0.84);
 #endif
-  colour = vec4(toneMap(radiance), coverage);
+  colour = vec4(toneMap(radiance) * coverage, coverage);
 }

@@ -16,6 +16,7 @@ layout(std140, binding = 0) uniform FrameUniforms {
   vec4 scatterAndGloss;    // colour; exponent of the highlight
   vec4 colourAndSpecular;  // diffuse colour; strength of the highlight
   vec4 shadow;             // strength; least x and z of the shadow map, m; its edge, m
+  vec4 otherSlopes;        // largest |W_x|, |W_y| of the picture; of the thickness
 } frame;
 
 vec3 toView(vec3 world) {

@@ -3,12 +3,12 @@
 #include "frame_uniforms.glsl"
 #include "sphere.glsl"
 
-layout(location = 0) in vec3 position;
+layout(location = 0) in vec4 particle;  // centre in view space and radius, m
 flat out vec4 sphere;
 
 void main() {
-  vec3 centre = toView(position);
-  float radius = visibleRadius(centre.z);
+  vec3 centre = particle.xyz;
+  float radius = visibleRadius(particle.w, centre.z);
   sphere = vec4(centre, radius);
 
   vec2 corner = 2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0;

@@ -8,14 +8,15 @@ out float inverseDepth;
 void main() {
   Crossing crossing = crossingAlong(slopeAt(gl_FragCoord.xy), sphere);
   float root = sqrt(max(crossing.squaredHalf, 0.0));
-  // 1/z of the entry, (m − √D)/a.
-  float entry = crossing.a / (crossing.middle - root);
   bool hit = crossing.squaredHalf >= 0.0;
 #ifdef LARGE
-  // A sphere that reaches before the near depth is cut off there; one that ends before it is not seen.
+  // A sphere that reaches before the near depth is cut off there; one that ends before it is not seen. The eye may be
+  // inside, where the product of both depths is negative: 1/z of the entry is a/(m − √D).
   float nearest = 1.0 / frame.eyeAndNear.w;
+  float entry = crossing.middle - root > 0.0 ? min(crossing.a / (crossing.middle - root), nearest) : nearest;
   hit = hit && crossing.middle + root > crossing.a * frame.eyeAndNear.w;
-  entry = crossing.middle - root > 0.0 ? min(entry, nearest) : nearest;
+#else
+  float entry = (crossing.middle + root) / (dot(sphere.xyz, sphere.xyz) - sphere.w * sphere.w);
 #endif
   inverseDepth = hit ? entry : 0.0;
 }

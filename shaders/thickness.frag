@@ -15,7 +15,7 @@ void main() {
   float near = crossing.a * frame.eyeAndNear.w;
   depth = max(crossing.middle + root - max(crossing.middle - root, near), 0.0);
 #endif
-  // A sphere widened to a pixel's size still holds its own volume.
+  // A sphere of another radius than the usual one still holds the same volume.
   float widened = frame.splat.x / sphere.w;
   // (Δz)·√a is the length along the line of sight.
   thickness = frame.splat.y * widened * widened * widened * depth * inversesqrt(crossing.a);

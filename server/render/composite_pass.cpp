@@ -10,6 +10,10 @@ std::vector<std::string_view> CompositeVariant::defines() const {
   return names;
 }
 
+Resource sceneOf(const FramePlan& plan) {
+  return plan.buffer(Resource::Scene) != nullptr ? Resource::Scene : Resource::Background;
+}
+
 void CompositePass::run(const FrameContext& frame) {
   const CompositeVariant variant{frame.look.liquid().opaque(), frame.look.liquid().specular() > 0,
                                  view_ == View::Normals};
@@ -18,21 +22,23 @@ void CompositePass::run(const FrameContext& frame) {
     program = programs_.emplace(variant, shaders().program("picture.vert", "composite.frag", variant.defines())).first;
   }
 
-  const Resource scene = frame.plan.buffer(Resource::Scene) != nullptr ? Resource::Scene : Resource::Background;
-  const core::ImageSize size = frame.view.size;
-  glCopyImageSubData(frame.targets.texture(scene).name(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                     frame.targets.texture(Resource::Picture).name(), GL_TEXTURE_2D, 0, 0, 0, 0, size.width,
-                     size.height, 1);
-
-  beginTarget(frame, Resource::Picture);
+  const Resource scene = sceneOf(frame.plan);
+  const bool coarse = frame.plan.runs(Pass::BlendLiquid);
+  const Resource into = coarse ? Resource::Liquid : Resource::Picture;
+  if (coarse) {
+    frame.targets.clear(into);
+  } else {
+    copy(frame, scene, into);
+  }
+  beginTarget(frame, into);
   keepToLiquid();
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
-  // The picture itself stays opaque.
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  glBindTextureUnit(0, frame.targets.texture(Resource::Surface).name());
-  glBindTextureUnit(1, frame.targets.texture(scene).name());
-  if (!variant.opaque) glBindTextureUnit(2, frame.targets.texture(Resource::Thickness).name());
+  // Colours come multiplied by their coverage.
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  bindTexture(frame, 0, Resource::Surface);
+  bindTexture(frame, 1, scene);
+  if (!variant.opaque) bindTexture(frame, 2, Resource::Thickness);
   glUseProgram(program->second.name());
   drawPicture();
 }

@@ -12,6 +12,7 @@ inline DataTraits dataTraits(const SplatSelection& selection, const SplatScale& 
   traits.spacing = scale.spacing;
   traits.points = selection.points.size();
   traits.hiddenPoints = selection.points.size() - selection.visiblePoints;
+  traits.interiorPoints = selection.interiorPoints;
   traits.largeSplats = selection.large.size();
   traits.nearestDepth = selection.nearestDepth;
   traits.pixelSlope = view.pixelSlope;

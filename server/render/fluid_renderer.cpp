@@ -2,6 +2,7 @@
 
 #include <google/protobuf/util/message_differencer.h>
 
+#include <algorithm>
 #include <string>
 
 #include "data_traits.h"
@@ -26,7 +27,10 @@ bool same(const Message& a, const Message& b) {
 class FluidRenderer::Impl {
  public:
   explicit Impl(gl::Context& context)
-      : clock_(context.isSoftware()), emptyArray_(gl::makeVertexArray()), maxPointPixels_(maxPointPixels()) {
+      : device_{context.isSoftware()},
+        clock_(context.isSoftware()),
+        emptyArray_(gl::makeVertexArray()),
+        maxPointPixels_(maxPointPixels()) {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maxEdge_);
   }
 
@@ -34,39 +38,51 @@ class FluidRenderer::Impl {
                      const core::Camera& camera, core::ImageSize size) {
     checkSize(size);
     const ViewGeometry view = makeViewGeometry(camera, size);
+    const ViewGeometry surfaceView = divided(view, look.smoothing().divisor());
+    const ViewGeometry thicknessView = divided(view, look.thickness().divisor());
     const SplatScale scale = splatScale(look.splats(), particles.spacing);
 
-    core::StageTimes cpuStages;
     clock_.start();
-    upload(particles);
-    DataTraits traits;
-    {
-      const core::StageTimer timer(cpuStages, name(Pass::SelectSplats));
-      traits = select(particles, view, scale);
-    }
-    const FramePlan plan = planFrame(look, background, size, traits, reuse(background, camera, size));
+    noteParticles(particles);
+    const SplatSelection selection =
+        selectSplats(particles.positions, model_, view, {scale.radius, scale.nearDepth, maxPointPixels_});
+    clock_.lap(name(Pass::SelectSplats));
+    const FramePlan plan =
+        planFrame(look, background, size, dataTraits(selection, scale, view), reuse(background, camera, size), device_);
     plan_ = plan.describe();
     targets_.fit(plan);
 
     setUpGl();
+    uploadSplats(plan, particles, selection, view, scale);
     castShadowIfNeeded(plan, particles, background);
-    uploadUniforms(makeFrameUniforms(view, scale, look, background));
-    clear(plan);
+    upload(pictureUniforms_, makeFrameUniforms(view, view, thicknessView, scale, look, background));
+    upload(surfaceUniforms_, makeFrameUniforms(surfaceView, view, thicknessView, scale, look, background));
     clock_.lap("upload");
 
-    const FrameContext frame{plan, view, scale, look, background, targets_, splats_};
+    const FrameContext frame{plan,
+                             view,
+                             surfaceView,
+                             thicknessView,
+                             scale,
+                             look,
+                             background,
+                             selection,
+                             targets_,
+                             splats_,
+                             raster_,
+                             pictureUniforms_.name(),
+                             surfaceUniforms_.name()};
     for (const PassStep& step : plan.steps) {
       if (step.pass == Pass::SelectSplats) continue;  // ran above: the plan depends on it
       glBindVertexArray(emptyArray_.name());
       run(step.pass, frame);
-      clock_.lap(name(step.pass));
+      clock_.lap(step.name);
     }
     core::Frame picture = readBack(plan, size);
     clock_.lap("read back");
 
     backgroundOf_ = background;
     cameraOfBackground_ = camera;
-    picture.tag.stages = std::move(cpuStages);
     for (const core::StageTime& stage : clock_.finish()) {
       core::addStageTime(picture.tag.stages, stage.name, stage.milliseconds);
     }
@@ -75,18 +91,51 @@ class FluidRenderer::Impl {
     return picture;
   }
 
+  FloatPicture smooth(const FloatPicture& surface, v1::Look look, double spacing, const core::Camera& camera) {
+    checkSize(surface.size);
+    look.mutable_smoothing()->set_divisor(1);
+    const ViewGeometry view = makeViewGeometry(camera, surface.size);
+    const SplatScale scale = splatScale(look.splats(), spacing);
+    DataTraits traits;
+    traits.spacing = spacing;
+    traits.points = 1;
+    traits.pixelSlope = view.pixelSlope;
+    const float largest = std::ranges::max(surface.values);
+    traits.nearestDepth = largest > 0.0F ? 1.0F / largest : 1.0F;
+    const v1::Background background;
+    const FramePlan plan = planFrame(look, background, surface.size, traits, {}, device_);
+    targets_.fit(plan);
+    setUpGl();
+    upload(pictureUniforms_, makeFrameUniforms(view, view, view, scale, look, background));
+    std::ranges::copy(surface.values, targets_.startAnew(Resource::Surface).begin());
+    const FrameContext frame{plan,
+                             view,
+                             view,
+                             view,
+                             scale,
+                             look,
+                             background,
+                             {},
+                             targets_,
+                             splats_,
+                             raster_,
+                             pictureUniforms_.name(),
+                             pictureUniforms_.name()};
+    for (const Pass pass : {Pass::Mask, Pass::Smoothing}) {
+      glBindVertexArray(emptyArray_.name());
+      if (plan.runs(pass)) run(pass, frame);
+    }
+    return readBuffer(Resource::Surface);
+  }
+
   const core::Plan& plan() const { return plan_; }
 
   void show(View view) { composite_.show(view); }
 
-  FloatPicture readBuffer(Resource resource) const {
-    FloatPicture picture;
-    if (!targets_.has(resource)) return picture;
-    picture.size = targets_.size(resource);
-    picture.values.resize(static_cast<std::size_t>(picture.size.width) * static_cast<std::size_t>(picture.size.height));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_.framebuffer(resource));
-    glReadPixels(0, 0, picture.size.width, picture.size.height, GL_RED, GL_FLOAT, picture.values.data());
-    return picture;
+  FloatPicture readBuffer(Resource resource) {
+    if (!targets_.has(resource)) return {};
+    const std::span<const float> values = targets_.read(resource);
+    return {targets_.size(resource), {values.begin(), values.end()}};
   }
 
  private:
@@ -98,18 +147,23 @@ class FluidRenderer::Impl {
     }
   }
 
-  void upload(const core::ParticleSnapshot& particles) {
+  void noteParticles(const core::ParticleSnapshot& particles) {
     // Sequence numbers never repeat; 0 is a snapshot that has not got one.
-    newParticles_ = particles.sequence == 0 || particles.sequence != uploadedSequence_;
-    uploadedSequence_ = particles.sequence;
-    if (newParticles_) splats_.uploadPositions(particles.positions);
+    newParticles_ = particles.sequence == 0 || particles.sequence != sequence_;
+    sequence_ = particles.sequence;
   }
 
-  DataTraits select(const core::ParticleSnapshot& particles, const ViewGeometry& view, const SplatScale& scale) {
-    const SplatSelection selection =
-        selectSplats(particles.positions, view, {scale.radius, scale.nearDepth, maxPointPixels_});
-    splats_.uploadSelection(selection, particles.positions);
-    return dataTraits(selection, scale, view);
+  void uploadSplats(const FramePlan& plan, const core::ParticleSnapshot& particles, const SplatSelection& selection,
+                    const ViewGeometry& view, const SplatScale& scale) {
+    if (!device_.software) splats_.uploadPoints(selection.spheres);
+    if (!plan.runs(Pass::LargeSplats)) return;
+    std::vector<ViewSphere> large;
+    large.reserve(selection.large.size());
+    for (const std::uint32_t index : selection.large) {
+      const Eigen::Vector3f centre = view.toView(particles.positions[index]);
+      large.push_back({centre.x(), centre.y(), centre.z(), model_.radius(index, scale.radius)});
+    }
+    splats_.uploadLarge(large);
   }
 
   ReuseTraits reuse(const v1::Background& background, const core::Camera& camera, core::ImageSize size) const {
@@ -137,25 +191,11 @@ class FluidRenderer::Impl {
     shadowIsCurrent_ = true;
   }
 
-  void uploadUniforms(FrameUniforms uniforms) {
+  void upload(gl::StreamBuffer& buffer, FrameUniforms uniforms) const {
     uniforms.shadow[1] = shadow_.corner.x();
     uniforms.shadow[2] = shadow_.corner.y();
     uniforms.shadow[3] = shadow_.edge;
-    uniforms_.upload(std::as_bytes(std::span(&uniforms, 1)));
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
-  }
-
-  /// Everything that is drawn into pixel by pixel starts from nothing.
-  void clear(const FramePlan& plan) const {
-    constexpr std::array<GLfloat, 4> kNothing{};
-    for (const PictureBuffer& buffer : plan.buffers) {
-      if (buffer.format != PixelFormat::R32f) continue;
-      glClearNamedFramebufferfv(targets_.framebuffer(buffer.resource), GL_COLOR, 0, kNothing.data());
-    }
-    if (plan.buffer(Resource::Stencil) != nullptr) {
-      constexpr GLint kNoLiquid = 0;
-      glClearNamedFramebufferiv(targets_.framebuffer(Resource::Surface), GL_STENCIL, 0, &kNoLiquid);
-    }
+    buffer.upload(std::as_bytes(std::span(&uniforms, 1)));
   }
 
   void run(Pass pass, const FrameContext& frame) {
@@ -175,14 +215,8 @@ class FluidRenderer::Impl {
       case Pass::Mask:
         mask_.run(frame);
         break;
-      case Pass::Bilateral:
-        bilateral_.run(frame);
-        break;
-      case Pass::CurvatureFlow:
-        curvatureFlow_.run(frame);
-        break;
-      case Pass::ImplicitCurvatureFlow:
-        implicitCurvatureFlow_.run(frame);
+      case Pass::Smoothing:
+        smoothing_.run(frame);
         break;
       case Pass::Thickness:
         thickness_.runPoints(frame);
@@ -190,15 +224,21 @@ class FluidRenderer::Impl {
       case Pass::LargeThickness:
         thickness_.runLarge(frame);
         break;
+      case Pass::SmoothThickness:
+        smoothThickness_.run(frame);
+        break;
       case Pass::Composite:
         composite_.run(frame);
+        break;
+      case Pass::BlendLiquid:
+        blendLiquid_.run(frame);
         break;
       default:
         break;
     }
   }
 
-  core::Frame readBack(const FramePlan& plan, core::ImageSize size) const {
+  core::Frame readBack(const FramePlan& plan, core::ImageSize size) {
     core::Frame picture;
     picture.size = size;
     picture.pixels.resize(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
@@ -208,17 +248,21 @@ class FluidRenderer::Impl {
     return picture;
   }
 
+  DeviceTraits device_;
   gl::PassClock clock_;
   gl::VertexArray emptyArray_;
   float maxPointPixels_;
   GLint maxEdge_ = 0;
 
   FrameTargets targets_;
+  SplatModel model_;
   SplatBuffers splats_;
-  gl::StreamBuffer uniforms_;
+  SplatRaster raster_;
+  gl::StreamBuffer pictureUniforms_;
+  gl::StreamBuffer surfaceUniforms_;
   core::Plan plan_;
 
-  std::uint64_t uploadedSequence_ = 0;
+  std::uint64_t sequence_ = 0;
   bool newParticles_ = false;
   v1::Background backgroundOf_;
   core::Camera cameraOfBackground_;
@@ -230,11 +274,11 @@ class FluidRenderer::Impl {
   GroundShadowPass groundShadow_;
   SplatsPass splatsPass_;
   MaskPass mask_;
-  BilateralPass bilateral_;
-  CurvatureFlowPass curvatureFlow_;
-  ImplicitCurvatureFlowPass implicitCurvatureFlow_;
+  SmoothingPass smoothing_;
   ThicknessPass thickness_;
+  SmoothThicknessPass smoothThickness_;
   CompositePass composite_;
+  BlendLiquidPass blendLiquid_;
 };
 
 FluidRenderer::FluidRenderer(gl::Context& context) : impl_(std::make_unique<Impl>(context)) {}
@@ -247,7 +291,12 @@ core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const
 
 void FluidRenderer::show(View view) { impl_->show(view); }
 
-FloatPicture FluidRenderer::readBuffer(Resource resource) const { return impl_->readBuffer(resource); }
+FloatPicture FluidRenderer::readBuffer(Resource resource) { return impl_->readBuffer(resource); }
+
+FloatPicture FluidRenderer::smooth(const FloatPicture& surface, const v1::Look& look, double spacing,
+                                   const core::Camera& camera) {
+  return impl_->smooth(surface, look, spacing, camera);
+}
 
 const core::Plan& FluidRenderer::plan() const { return impl_->plan(); }
 

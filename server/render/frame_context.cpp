@@ -17,9 +17,23 @@ void beginTarget(const FrameContext& frame, Resource resource) {
   const core::ImageSize size = frame.targets.size(resource);
   glBindFramebuffer(GL_FRAMEBUFFER, frame.targets.framebuffer(resource));
   glViewport(0, 0, size.width, size.height);
+  const bool coarse =
+      resource == Resource::Surface || resource == Resource::SurfaceScratch || resource == Resource::Liquid;
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, coarse ? frame.surfaceUniforms : frame.pictureUniforms);
   glDisable(GL_BLEND);
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_CLIP_DISTANCE0);
+}
+
+void bindTexture(const FrameContext& frame, GLuint binding, Resource resource) {
+  glBindTextureUnit(binding, frame.targets.texture(resource).name());
+}
+
+void copy(const FrameContext& frame, Resource from, Resource to) {
+  const core::ImageSize size = frame.targets.size(to);
+  frame.targets.framebuffer(to);
+  glCopyImageSubData(frame.targets.texture(from).name(), GL_TEXTURE_2D, 0, 0, 0, 0, frame.targets.texture(to).name(),
+                     GL_TEXTURE_2D, 0, 0, 0, 0, size.width, size.height, 1);
 }
 
 void keepToLiquid() {

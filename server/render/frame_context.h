@@ -6,6 +6,8 @@
 #include "sluice/gl/shader_library.h"
 #include "sluice/render/frame_plan.h"
 #include "splat_buffers.h"
+#include "splat_raster.h"
+#include "splat_selection.h"
 #include "view_geometry.h"
 
 namespace sluice::render {
@@ -13,19 +15,31 @@ namespace sluice::render {
 /// What a pass may use of the frame that it draws.
 struct FrameContext {
   const FramePlan& plan;
-  const ViewGeometry& view;
+  const ViewGeometry& view;           ///< Of the picture.
+  const ViewGeometry& surfaceView;    ///< Of the surface, which may be coarser.
+  const ViewGeometry& thicknessView;  ///< Of the thickness, likewise.
   const SplatScale& scale;
   const v1::Look& look;
   const v1::Background& background;
-  const FrameTargets& targets;
-  const SplatBuffers& splats;
+  const SplatSelection& selection;
+  FrameTargets& targets;
+  SplatBuffers& splats;
+  SplatRaster& raster;
+  GLuint pictureUniforms;  ///< The uniforms of passes that draw into the picture.
+  GLuint surfaceUniforms;  ///< Those of passes that draw into the surface, or the liquid.
 };
 
 /// Where shader programs come from. Fits every pass's constructor.
 const gl::ShaderLibrary& shaders();
 
-/// Draws into all of a target from now on, with blending, stencil, and clipping off.
+/// Draws into all of a target from now on, with its uniforms, and with blending, stencil, and clipping off.
 void beginTarget(const FrameContext& frame, Resource resource);
+
+/// Lets shaders read a buffer at a binding of theirs.
+void bindTexture(const FrameContext& frame, GLuint binding, Resource resource);
+
+/// Copies one buffer into another of the same size and format.
+void copy(const FrameContext& frame, Resource from, Resource to);
 
 /// From now on draws only where there is liquid.
 void keepToLiquid();

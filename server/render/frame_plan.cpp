@@ -1,7 +1,9 @@
 #include "sluice/render/frame_plan.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+
+#include "smoothing/smoothing_method.h"
 
 namespace sluice::render {
 
@@ -19,18 +21,18 @@ std::string_view name(Pass pass) {
       return "large splats";
     case Pass::Mask:
       return "mask";
-    case Pass::Bilateral:
-      return "bilateral";
-    case Pass::CurvatureFlow:
-      return "curvature flow";
-    case Pass::ImplicitCurvatureFlow:
-      return "implicit curvature flow";
+    case Pass::Smoothing:
+      return "smoothing";
     case Pass::Thickness:
       return "thickness";
     case Pass::LargeThickness:
       return "large thickness";
+    case Pass::SmoothThickness:
+      return "smooth thickness";
     case Pass::Composite:
       return "composite";
+    case Pass::BlendLiquid:
+      return "blend liquid";
   }
   return "";
 }
@@ -55,6 +57,10 @@ std::string_view name(Resource resource) {
       return "stencil";
     case Resource::Thickness:
       return "thickness";
+    case Resource::ThicknessScratch:
+      return "thickness scratch";
+    case Resource::Liquid:
+      return "liquid";
     case Resource::Picture:
       return "picture";
   }
@@ -82,7 +88,7 @@ core::Plan FramePlan::describe() const {
   };
   core::Plan plan;
   for (const PassStep& step : steps) {
-    plan.stages.push_back({std::string(name(step.pass)), names(step.reads), names(step.writes)});
+    plan.stages.push_back({step.name, names(step.reads), names(step.writes)});
   }
   for (const PictureBuffer& buffer : buffers)
     plan.buffers.push_back({std::string(name(buffer.resource)), buffer.bytes()});
@@ -90,29 +96,9 @@ core::Plan FramePlan::describe() const {
   return plan;
 }
 
-FlowSchedule scheduleFlow(const v1::Smoothing& smoothing, const DataTraits& traits, core::ImageSize size) {
-  const double footprint = traits.pixelSlope * traits.nearestDepth;
-  const double slopeX = 0.5 * traits.pixelSlope * size.width;
-  const double slopeY = 0.5 * traits.pixelSlope * size.height;
-  const double squaredSlope = slopeX * slopeX + slopeY * slopeY;
-  const double sigma = std::sqrt(1 + squaredSlope) * (1 + 0.5 * squaredSlope);
-  const double largestStep = footprint * footprint / (2 * sigma);
-
-  const v1::CurvatureFlow& flow = smoothing.curvature_flow();
-  FlowSchedule schedule;
-  schedule.wantedTime = smoothing.time() * traits.spacing * traits.spacing;
-  const double needed = std::ceil(schedule.wantedTime / (flow.step_fraction() * largestStep));
-  const auto allowed = static_cast<double>(flow.max_iterations());
-  const auto roundUpToEven = [](double n) { return static_cast<int>(2 * std::ceil(n / 2)); };
-  if (needed <= allowed) {
-    schedule.iterations = roundUpToEven(needed);
-    schedule.stepTime = schedule.wantedTime / std::max(1, schedule.iterations);
-  } else {
-    schedule.iterations = roundUpToEven(allowed);
-    schedule.stepTime = flow.step_fraction() * largestStep;
-    schedule.shortfall = std::max(0.0, 1 - schedule.iterations * schedule.stepTime / schedule.wantedTime);
-  }
-  return schedule;
+core::ImageSize dividedSize(core::ImageSize size, unsigned divisor) {
+  const auto d = static_cast<int>(divisor);
+  return {(size.width + d - 1) / d, (size.height + d - 1) / d};
 }
 
 namespace {
@@ -121,8 +107,15 @@ namespace {
 class Planner {
  public:
   Planner(const v1::Look& look, const v1::Background& background, core::ImageSize size, const DataTraits& traits,
-          const ReuseTraits& reuse)
-      : look_(look), background_(background), size_(size), traits_(traits), reuse_(reuse) {}
+          const ReuseTraits& reuse, const DeviceTraits& device)
+      : look_(look),
+        background_(background),
+        size_(size),
+        surfaceSize_(dividedSize(size, look.smoothing().divisor())),
+        traits_(traits),
+        reuse_(reuse) {
+    plan_.device = device;
+  }
 
   FramePlan plan() {
     planBackground();
@@ -139,7 +132,10 @@ class Planner {
 
  private:
   void run(Pass pass, std::vector<Resource> reads, std::vector<Resource> writes) {
-    plan_.steps.push_back({pass, std::move(reads), std::move(writes)});
+    run(pass, std::string(name(pass)), std::move(reads), std::move(writes));
+  }
+  void run(Pass pass, std::string name, std::vector<Resource> reads, std::vector<Resource> writes) {
+    plan_.steps.push_back({pass, std::move(name), std::move(reads), std::move(writes)});
   }
   void leaveOut(Pass pass, std::string reason) { leaveOut(name(pass), std::move(reason)); }
   void leaveOut(std::string_view what, std::string reason) {
@@ -169,50 +165,55 @@ class Planner {
   }
 
   void planSplats() {
-    allocate(Resource::Surface, PixelFormat::R32f, size_);
+    allocate(Resource::Surface, PixelFormat::R32f, surfaceSize_);
     run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});
     if (traits_.points > 0) run(Pass::Splats, {Resource::Particles, Resource::SplatList}, {Resource::Surface});
-    if (traits_.hiddenPoints > 0) {
-      leaveOut("splats of " + std::to_string(traits_.hiddenPoints) + " particles", "they lie wholly behind others");
+    if (traits_.interiorPoints > 0) {
+      leaveOut("splats of " + std::to_string(traits_.interiorPoints) + " particles", "they are deep inside the liquid");
+    }
+    if (traits_.hiddenPoints > traits_.interiorPoints) {
+      leaveOut("splats of " + std::to_string(traits_.hiddenPoints - traits_.interiorPoints) + " particles",
+               "they lie wholly behind others");
     }
     if (traits_.largeSplats > 0) {
       run(Pass::LargeSplats, {Resource::Particles, Resource::SplatList}, {Resource::Surface});
     } else {
       leaveOut(Pass::LargeSplats, "every splat is small enough to be a point");
     }
-    allocate(Resource::Stencil, PixelFormat::Stencil8, size_);
+    allocate(Resource::Stencil, PixelFormat::Stencil8, surfaceSize_);
     run(Pass::Mask, {Resource::Surface}, {Resource::Stencil});
   }
 
   void planSmoothing() {
-    if (look_.smoothing().time() <= 0) {
+    const v1::Smoothing& smoothing = look_.smoothing();
+    if (smoothing.time() <= 0) {
       leaveOut("smoothing", "look.smoothing.time is 0");
       return;
     }
-    switch (look_.smoothing().method_case()) {
-      case v1::Smoothing::kBilateral:
-        planFilter(Pass::Bilateral);
-        break;
-      case v1::Smoothing::kCurvatureFlow:
-        plan_.flow = scheduleFlow(look_.smoothing(), traits_, size_);
-        planFilter(Pass::CurvatureFlow);
-        if (plan_.flow.shortfall > 0) {
-          leaveOut("the last " + std::to_string(std::lround(100 * plan_.flow.shortfall)) + " % of the smoothing time",
-                   "max_iterations is reached");
-        }
-        break;
-      case v1::Smoothing::kImplicitCurvatureFlow:
-        run(Pass::ImplicitCurvatureFlow, {Resource::Surface}, {Resource::Surface});
-        break;
-      case v1::Smoothing::METHOD_NOT_SET:
-        leaveOut("smoothing", "no method is chosen");
-        break;
+    const SmoothingMethodEntry* const method = findSmoothingMethod(smoothing.method_case());
+    if (method == nullptr) {
+      leaveOut("smoothing", "no method is chosen");
+      return;
     }
-  }
+    SurfaceTraits surface;
+    surface.spacing = traits_.spacing;
+    surface.splatRadius = look_.splats().radius_in_spacings() * traits_.spacing;
+    surface.nearestDepth = traits_.nearestDepth;
+    surface.pixelSlope = traits_.pixelSlope * smoothing.divisor();
+    surface.size = surfaceSize_;
+    surface.device = plan_.device;
+    SmoothingPlan needs = method->plan(smoothing, surface);
 
-  void planFilter(Pass pass) {
-    allocate(Resource::SurfaceScratch, PixelFormat::R32f, size_);
-    run(pass, {Resource::Surface, Resource::Stencil}, {Resource::SurfaceScratch, Resource::Surface});
+    std::vector<Resource> reads{Resource::Surface};
+    std::vector<Resource> writes{Resource::Surface};
+    if (needs.mask) reads.push_back(Resource::Stencil);
+    if (needs.scratch) {
+      allocate(Resource::SurfaceScratch, PixelFormat::R32f, surfaceSize_);
+      writes.push_back(Resource::SurfaceScratch);
+    }
+    plan_.flow = needs.flow;
+    std::ranges::move(needs.leftOut, std::back_inserter(plan_.leftOut));
+    run(Pass::Smoothing, smoothingName(smoothing.method_case()), std::move(reads), std::move(writes));
   }
 
   void planThickness() {
@@ -221,27 +222,40 @@ class Planner {
       leaveOut("refraction", "the liquid is opaque");
       return;
     }
-    const int divisor = static_cast<int>(look_.thickness().divisor());
-    const core::ImageSize size{(size_.width + divisor - 1) / divisor, (size_.height + divisor - 1) / divisor};
-    allocate(Resource::Thickness, PixelFormat::R32f, size);
+    allocate(Resource::Thickness, PixelFormat::R32f, dividedSize(size_, look_.thickness().divisor()));
     if (traits_.points > 0) run(Pass::Thickness, {Resource::Particles, Resource::SplatList}, {Resource::Thickness});
     if (traits_.largeSplats > 0) {
       run(Pass::LargeThickness, {Resource::Particles, Resource::SplatList}, {Resource::Thickness});
     }
+    if (look_.thickness().smoothing_in_spacings() > 0) {
+      allocate(Resource::ThicknessScratch, PixelFormat::R32f, dividedSize(size_, look_.thickness().divisor()));
+      run(Pass::SmoothThickness, {Resource::Thickness, Resource::Surface},
+          {Resource::ThicknessScratch, Resource::Thickness});
+    } else {
+      leaveOut(Pass::SmoothThickness, "look.thickness.smoothing_in_spacings is 0");
+    }
   }
 
   void planComposite() {
-    std::vector<Resource> reads{hasShadow_ ? Resource::Scene : Resource::Background, Resource::Surface,
-                                Resource::Stencil};
+    const Resource scene = hasShadow_ ? Resource::Scene : Resource::Background;
+    std::vector<Resource> reads{scene, Resource::Surface, Resource::Stencil};
     if (!look_.liquid().opaque()) reads.push_back(Resource::Thickness);
     if (look_.liquid().specular() <= 0) leaveOut("specular highlight", "look.liquid.specular is 0");
+    if (look_.smoothing().divisor() == 1) {
+      run(Pass::Composite, std::move(reads), {Resource::Picture});
+      leaveOut(Pass::BlendLiquid, "the liquid is as fine as the picture");
+    } else {
+      allocate(Resource::Liquid, PixelFormat::Srgb8Alpha8, surfaceSize_);
+      run(Pass::Composite, std::move(reads), {Resource::Liquid});
+      run(Pass::BlendLiquid, {scene, Resource::Liquid}, {Resource::Picture});
+    }
     allocate(Resource::Picture, PixelFormat::Srgb8Alpha8, size_);
-    run(Pass::Composite, std::move(reads), {Resource::Picture});
   }
 
   const v1::Look& look_;
   const v1::Background& background_;
   core::ImageSize size_;
+  core::ImageSize surfaceSize_;
   const DataTraits& traits_;
   const ReuseTraits& reuse_;
   FramePlan plan_;
@@ -251,8 +265,8 @@ class Planner {
 }  // namespace
 
 FramePlan planFrame(const v1::Look& look, const v1::Background& background, core::ImageSize size,
-                    const DataTraits& traits, const ReuseTraits& reuse) {
-  return Planner(look, background, size, traits, reuse).plan();
+                    const DataTraits& traits, const ReuseTraits& reuse, const DeviceTraits& device) {
+  return Planner(look, background, size, traits, reuse, device).plan();
 }
 
 }  // namespace sluice::render

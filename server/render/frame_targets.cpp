@@ -1,6 +1,8 @@
 #include "frame_targets.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "sluice/core/check.h"
 
@@ -22,12 +24,14 @@ GLenum internalFormat(PixelFormat format) {
 
 /// Read between pixels: where light is looked up, and the thickness, which may be smaller than the picture.
 bool isInterpolated(Resource resource) {
-  return resource == Resource::Background || resource == Resource::Scene || resource == Resource::Thickness;
+  return resource == Resource::Background || resource == Resource::Scene || resource == Resource::Liquid ||
+         resource == Resource::Thickness;
 }
 
 /// Drawn where the stencil says that there is liquid.
 bool usesStencil(Resource resource) {
-  return resource == Resource::Surface || resource == Resource::SurfaceScratch || resource == Resource::Picture;
+  return resource == Resource::Surface || resource == Resource::SurfaceScratch || resource == Resource::Liquid ||
+         resource == Resource::Picture;
 }
 
 }  // namespace
@@ -51,15 +55,93 @@ void FrameTargets::fit(const FramePlan& plan) {
       target.texture = gl::makeTexture(internalFormat(buffer.format), buffer.size);
       if (isInterpolated(buffer.resource)) gl::setBilinear(target.texture);
     }
-    target.framebuffer = usesStencil(buffer.resource) ? gl::makeFramebuffer(target.texture, stencil_)
-                                                      : gl::makeFramebuffer(target.texture);
+    const bool masked = stencil != nullptr && stencil->size == buffer.size && usesStencil(buffer.resource);
+    target.framebuffer = masked ? gl::makeFramebuffer(target.texture, stencil_) : gl::makeFramebuffer(target.texture);
   }
 }
 
-const FrameTargets::Target& FrameTargets::target(Resource resource) const {
+FrameTargets::Target& FrameTargets::target(Resource resource) {
   const auto found = targets_.find(resource);
   SLUICE_CHECK(found != targets_.end());
   return found->second;
+}
+
+core::ImageSize FrameTargets::size(Resource resource) const {
+  const auto found = targets_.find(resource);
+  SLUICE_CHECK(found != targets_.end());
+  return found->second.buffer.size;
+}
+
+void FrameTargets::toDevice(Target& target) {
+  if (target.newest != Newest::Memory) return;
+  const core::ImageSize size = target.buffer.size;
+  glTextureSubImage2D(target.texture.name(), 0, 0, 0, size.width, size.height, GL_RED, GL_FLOAT, target.memory.data());
+  target.newest = Newest::Both;
+}
+
+void FrameTargets::toMemory(Target& target) {
+  SLUICE_CHECK(target.buffer.format == PixelFormat::R32f);
+  const core::ImageSize size = target.buffer.size;
+  target.memory.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+  if (target.newest != Newest::Device) return;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer.name());
+  glReadPixels(0, 0, size.width, size.height, GL_RED, GL_FLOAT, target.memory.data());
+  target.newest = Newest::Both;
+}
+
+const gl::Texture& FrameTargets::texture(Resource resource) {
+  Target& found = target(resource);
+  toDevice(found);
+  return found.texture;
+}
+
+GLuint FrameTargets::framebuffer(Resource resource) {
+  Target& found = target(resource);
+  toDevice(found);
+  found.newest = Newest::Device;
+  return found.framebuffer.name();
+}
+
+void FrameTargets::clear(Resource resource) {
+  constexpr std::array<GLfloat, 4> kNothing{};
+  Target& found = target(resource);
+  found.newest = Newest::Device;
+  glClearNamedFramebufferfv(found.framebuffer.name(), GL_COLOR, 0, kNothing.data());
+}
+
+std::span<const float> FrameTargets::read(Resource resource) {
+  Target& found = target(resource);
+  toMemory(found);
+  return found.memory;
+}
+
+std::span<float> FrameTargets::change(Resource resource) {
+  Target& found = target(resource);
+  toMemory(found);
+  found.newest = Newest::Memory;
+  return found.memory;
+}
+
+std::span<float> FrameTargets::startAnew(Resource resource) {
+  Target& found = target(resource);
+  SLUICE_CHECK(found.buffer.format == PixelFormat::R32f);
+  const core::ImageSize size = found.buffer.size;
+  found.memory.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), 0.0F);
+  found.newest = Newest::Memory;
+  return found.memory;
+}
+
+void FrameTargets::clearStencil() {
+  constexpr GLint kNoLiquid = 0;
+  glClearNamedFramebufferiv(target(Resource::Surface).framebuffer.name(), GL_STENCIL, 0, &kNoLiquid);
+}
+
+void FrameTargets::swap(Resource a, Resource b) {
+  Target& first = target(a);
+  Target& second = target(b);
+  SLUICE_CHECK(first.buffer.format == second.buffer.format && first.buffer.size == second.buffer.size);
+  std::swap(first, second);
+  std::swap(first.buffer.resource, second.buffer.resource);
 }
 
 }  // namespace sluice::render

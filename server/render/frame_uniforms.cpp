@@ -34,8 +34,8 @@ Eigen::Vector3f sunDirection(const v1::Background& background) {
   return Eigen::Vector3d(sun.x(), sun.y(), sun.z()).normalized().cast<float>();
 }
 
-FrameUniforms makeFrameUniforms(const ViewGeometry& view, const SplatScale& scale, const v1::Look& look,
-                                const v1::Background& background) {
+FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& picture, const ViewGeometry& thickness,
+                                const SplatScale& scale, const v1::Look& look, const v1::Background& background) {
   const v1::Liquid& liquid = look.liquid();
   const auto width = static_cast<float>(view.size.width);
   const auto height = static_cast<float>(view.size.height);
@@ -57,6 +57,7 @@ FrameUniforms makeFrameUniforms(const ViewGeometry& view, const SplatScale& scal
   u.scatterAndGloss = pack(liquid.scatter_colour(), liquid.shininess());
   u.colourAndSpecular = pack(liquid.colour(), liquid.specular());
   u.shadow = {static_cast<float>(background.shadow()), 0.0F, 0.0F, 0.0F};
+  u.otherSlopes = {picture.maxSlope.x(), picture.maxSlope.y(), thickness.maxSlope.x(), thickness.maxSlope.y()};
   return u;
 }
 

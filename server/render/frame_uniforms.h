@@ -28,6 +28,7 @@ struct FrameUniforms {
   Vec4 scatterAndGloss;
   Vec4 colourAndSpecular;
   Vec4 shadow;
+  Vec4 otherSlopes;
 };
 
 /// Sizes of a frame's splats, m.
@@ -45,8 +46,9 @@ SplatScale splatScale(const v1::Splats& splats, double spacing);
 /// Unit vector towards the sun.
 Eigen::Vector3f sunDirection(const v1::Background& background);
 
-/// Everything but the shadow map's place, which is left 0.
-FrameUniforms makeFrameUniforms(const ViewGeometry& view, const SplatScale& scale, const v1::Look& look,
-                                const v1::Background& background);
+/// Everything but the shadow map's place, which is left 0. `target` is the view that is drawn into, `picture` and
+/// `thickness` those of two buffers that its passes read.
+FrameUniforms makeFrameUniforms(const ViewGeometry& target, const ViewGeometry& picture, const ViewGeometry& thickness,
+                                const SplatScale& scale, const v1::Look& look, const v1::Background& background);
 
 }  // namespace sluice::render

@@ -10,10 +10,7 @@ GroundShadowPass::GroundShadowPass()
 }
 
 void GroundShadowPass::run(const FrameContext& frame, const ShadowMap& map, bool isNew) {
-  const core::ImageSize size = frame.targets.size(Resource::Scene);
-  glCopyImageSubData(frame.targets.texture(Resource::Background).name(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                     frame.targets.texture(Resource::Scene).name(), GL_TEXTURE_2D, 0, 0, 0, 0, size.width, size.height,
-                     1);
+  copy(frame, Resource::Background, Resource::Scene);
   if (map.edge <= 0.0F) return;
   if (isNew) {
     glTextureSubImage2D(texture_.name(), 0, 0, 0, ShadowMap::kEdge, ShadowMap::kEdge, GL_RED, GL_FLOAT,

@@ -5,12 +5,14 @@ namespace sluice::render {
 MaskPass::MaskPass() : program_(shaders().program("picture.vert", "mask.frag")) {}
 
 void MaskPass::run(const FrameContext& frame) const {
+  const GLuint surface = frame.targets.texture(Resource::Surface).name();
+  frame.targets.clearStencil();
   beginTarget(frame, Resource::Surface);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_ALWAYS, 1, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  glBindTextureUnit(0, frame.targets.texture(Resource::Surface).name());
+  glBindTextureUnit(0, surface);
   glUseProgram(program_.name());
   // The surface is read and, with its colour masked off, not written: no feedback.
   drawPicture();

@@ -2,11 +2,12 @@
 
 #include <array>
 #include <map>
+#include <memory>
 
 #include "frame_context.h"
-#include "implicit_curvature_flow.h"
 #include "shadow_map.h"
 #include "sluice/render/fluid_renderer.h"
+#include "smoothing/smoothing_method.h"
 
 namespace sluice::render {
 
@@ -35,7 +36,7 @@ class GroundShadowPass {
   gl::Texture texture_;
 };
 
-/// Splats the depth of the particles' spheres.
+/// Splats the depth of the particles' spheres: points on the CPU where that is what draws anyway.
 class SplatsPass {
  public:
   SplatsPass();
@@ -47,7 +48,7 @@ class SplatsPass {
   gl::Program large_;
 };
 
-/// Sums the particles' chords along every line of sight.
+/// Sums the particles' chords along every line of sight; points likewise.
 class ThicknessPass {
  public:
   ThicknessPass();
@@ -57,6 +58,16 @@ class ThicknessPass {
  private:
   gl::Program points_;
   gl::Program large_;
+};
+
+/// A Gaussian of the thickness, as wide in space as it is told, whatever the distance.
+class SmoothThicknessPass {
+ public:
+  SmoothThicknessPass();
+  void run(const FrameContext& frame) const;
+
+ private:
+  gl::Program program_;
 };
 
 /// Marks where there is liquid in the stencil.
@@ -69,33 +80,13 @@ class MaskPass {
   gl::Program program_;
 };
 
-class BilateralPass {
- public:
-  BilateralPass();
-  void run(const FrameContext& frame) const;
-
- private:
-  gl::Program program_;
-};
-
-class CurvatureFlowPass {
- public:
-  CurvatureFlowPass();
-  void run(const FrameContext& frame) const;
-
- private:
-  gl::Program program_;
-};
-
-/// The flow's implicit form runs on the CPU, between two GL passes: its many sweeps over a shrinking picture are
-/// several times as fast there as on software GL, where reading back and uploading cost next to nothing.
-class ImplicitCurvatureFlowPass {
+/// Whatever method the look chooses; each is made when it is first used.
+class SmoothingPass {
  public:
   void run(const FrameContext& frame);
 
  private:
-  ImplicitCurvatureFlow flow_;
-  std::vector<float> inverseDepth_;
+  std::map<v1::Smoothing::MethodCase, std::unique_ptr<SmoothingMethod>> methods_;
 };
 
 /// Which parts of the composite's shader a scene needs.
@@ -108,7 +99,7 @@ struct CompositeVariant {
   std::vector<std::string_view> defines() const;
 };
 
-/// The liquid over the scene.
+/// The liquid over the scene, or where it is coarser than the picture, by itself.
 class CompositePass {
  public:
   void run(const FrameContext& frame);
@@ -118,5 +109,19 @@ class CompositePass {
   View view_ = View::Liquid;
   std::map<CompositeVariant, gl::Program> programs_;
 };
+
+/// Liquid that is coarser than the picture over the scene: interpolated as shaded colour and coverage, never as depth,
+/// so that silhouettes are soft (van der Laan et al. 2009, section 3.5.1).
+class BlendLiquidPass {
+ public:
+  BlendLiquidPass();
+  void run(const FrameContext& frame) const;
+
+ private:
+  gl::Program program_;
+};
+
+/// The scene under the liquid: with its shadow where it has one.
+Resource sceneOf(const FramePlan& plan);
 
 }  // namespace sluice::render

@@ -9,7 +9,7 @@ core::Plan planPicture(const core::ParticleSnapshot& particles, const v1::Look& 
   const ViewGeometry view = makeViewGeometry(camera, size);
   const SplatScale scale = splatScale(look.splats(), particles.spacing);
   const SplatSelection selection =
-      selectSplats(particles.positions, view, {scale.radius, scale.nearDepth, maxPointPixels});
+      selectSplats(particles.positions, {}, view, {scale.radius, scale.nearDepth, maxPointPixels});
   return planFrame(look, background, size, dataTraits(selection, scale, view), {}).describe();
 }
 

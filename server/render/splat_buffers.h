@@ -1,42 +1,30 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 
-#include <Eigen/Core>
-
 #include "sluice/gl/objects.h"
-#include "splat_selection.h"
+#include "splat_raster.h"
 
 namespace sluice::render {
 
-/// The particles of a frame on the device.
+/// Spheres on the device. Attribute 0 is the sphere: centre in view space and radius, m.
 class SplatBuffers {
  public:
   SplatBuffers();
 
-  /// Positions in world space, m.
-  void uploadPositions(std::span<const Eigen::Vector3f> positions);
+  void uploadPoints(std::span<const ViewSphere> spheres);
+  void uploadLarge(std::span<const ViewSphere> spheres);
 
-  /// `positions` are those last uploaded.
-  void uploadSelection(const SplatSelection& selection, std::span<const Eigen::Vector3f> positions);
-
-  /// Draws the first `count` points of the selection; attribute 0 is the position.
+  /// Draws the first `count` points.
   void drawPoints(std::size_t count) const;
-  /// Draws a rectangle of four vertices for every large splat; attribute 0 is the position.
+  /// Draws a rectangle of four vertices for every large splat.
   void drawLarge() const;
 
-  std::size_t points() const { return points_; }
-  std::size_t visiblePoints() const { return visiblePoints_; }
-
  private:
-  gl::StreamBuffer positions_;
-  gl::StreamBuffer indices_;
-  gl::StreamBuffer largePositions_;
+  gl::StreamBuffer pointSpheres_;
+  gl::StreamBuffer largeSpheres_;
   gl::VertexArray pointArray_;
   gl::VertexArray largeArray_;
-  std::size_t points_ = 0;
-  std::size_t visiblePoints_ = 0;
   std::size_t large_ = 0;
 };
 

@@ -52,6 +52,11 @@ class TileDistances {
     }
   }
 
+  /// Keeps of every tile the nearer of both distances.
+  void merge(const TileDistances& other) {
+    for (std::size_t i = 0; i < distance_.size(); ++i) distance_[i] = std::min(distance_[i], other.distance_[i]);
+  }
+
   bool hides(const Range& range, float distance) const {
     for (int row = range.firstRow; row <= range.lastRow; ++row) {
       for (int column = range.firstColumn; column <= range.lastColumn; ++column) {
@@ -72,12 +77,16 @@ class TileDistances {
   std::vector<float> distance_;
 };
 
-/// A point that is in the picture, with what the test for hidden ones needs.
-struct Candidate {
-  std::uint32_t index;
-  float frontDistance;  ///< |c| − R.
-  Eigen::Vector2f centre;
-  Eigen::Vector2f halfExtent;
+/// What becomes of a particle.
+enum class Fate : std::uint8_t { Outside, Seen, ThicknessOnly, Large, Spray };
+
+/// A particle as it lies in the picture.
+struct Projected {
+  Fate fate = Fate::Outside;
+  ViewSphere sphere;
+  float frontDistance;         ///< |c| − R.
+  Eigen::Vector2f centre;      ///< Of the outline, pixels.
+  Eigen::Vector2f halfExtent;  ///< Likewise.
 };
 
 /// Tiles a little smaller than the square inside a typical outline, so that most spheres cover at least one.
@@ -97,57 +106,103 @@ int tileEdge(std::span<const Eigen::Vector3f> positions, const ViewGeometry& vie
   return static_cast<int>(std::clamp(0.6F * typicalPixels, 2.0F, 64.0F));
 }
 
+Projected project(const Eigen::Vector3f& position, float splatRadius, SplatRole role, const ViewGeometry& view,
+                  const SplatLimits& limits, const Eigen::Vector2f& sideLength) {
+  Projected result;
+  const Eigen::Vector3f centre = view.toView(position);
+  const float radius = visibleRadius(splatRadius, centre.z(), view.pixelSlope);
+  if (centre.z() + radius <= limits.nearDepth) return result;
+  // Outside one of the four side planes of the view.
+  if (std::abs(centre.x()) - view.maxSlope.x() * centre.z() > radius * sideLength.x()) return result;
+  if (std::abs(centre.y()) - view.maxSlope.y() * centre.z() > radius * sideLength.y()) return result;
+  result.sphere = {centre.x(), centre.y(), centre.z(), radius};
+  if (role == SplatRole::Spray) {
+    result.fate = Fate::Spray;
+    return result;
+  }
+  if (centre.z() - radius < limits.nearDepth) {
+    result.fate = Fate::Large;
+    return result;
+  }
+  const SlopeBounds bounds = sphereBounds(centre, radius);
+  result.halfExtent = bounds.halfExtent / view.pixelSlope;
+  result.centre = view.toPixel(bounds.centre);
+  result.frontDistance = centre.norm() - radius;
+  if (2.0F * result.halfExtent.maxCoeff() + 1.0F > limits.maxPointPixels) {
+    result.fate = Fate::Large;
+    return result;
+  }
+  const Eigen::Vector2f pictureSize(static_cast<float>(view.size.width), static_cast<float>(view.size.height));
+  const bool meetsPicture = ((result.centre + result.halfExtent).array() >= 0.0F).all() &&
+                            ((result.centre - result.halfExtent).array() <= pictureSize.array()).all();
+  if (meetsPicture) result.fate = role == SplatRole::Interior ? Fate::ThicknessOnly : Fate::Seen;
+  return result;
+}
+
 }  // namespace
 
-SplatSelection selectSplats(std::span<const Eigen::Vector3f> positions, const ViewGeometry& view,
-                            const SplatLimits& limits) {
-  SplatSelection selection;
-  selection.nearestDepth = std::numeric_limits<float>::infinity();
-  const Eigen::Vector2f pictureSize(static_cast<float>(view.size.width), static_cast<float>(view.size.height));
+SplatSelection selectSplats(std::span<const Eigen::Vector3f> positions, const SplatModel& model,
+                            const ViewGeometry& view, const SplatLimits& limits) {
   const Eigen::Vector2f sideLength = (view.maxSlope.array().square() + 1.0F).sqrt();
   TileDistances tiles(view.size, tileEdge(positions, view, limits.radius));
+  std::vector<Projected> projected(positions.size());
+  const auto count = static_cast<std::ptrdiff_t>(positions.size());
 
-  std::vector<Candidate> candidates;
-  candidates.reserve(positions.size());
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    const Eigen::Vector3f centre = view.toView(positions[i]);
-    const float radius = visibleRadius(limits.radius, centre.z(), view.pixelSlope);
-    if (centre.z() + radius <= limits.nearDepth) continue;
-    // Outside one of the four side planes of the view.
-    if (std::abs(centre.x()) - view.maxSlope.x() * centre.z() > radius * sideLength.x()) continue;
-    if (std::abs(centre.y()) - view.maxSlope.y() * centre.z() > radius * sideLength.y()) continue;
+#pragma omp parallel
+  {
+    TileDistances mine = tiles;
+#pragma omp for schedule(static)
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      Projected& p = projected[i];
+      p = project(positions[i], model.radius(i, limits.radius), model.role(i), view, limits, sideLength);
+      if (p.fate != Fate::Seen) continue;
+      // 0.7 < 1/√2: the square inside the outline, whose least half width is at least R/z.
+      const float radius = p.sphere.radius;
+      const float halfEdge = 0.7F * radius / (p.sphere.z * view.pixelSlope);
+      const float distance = p.frontDistance + radius;
+      mine.cover(mine.inside(p.centre, halfEdge), std::sqrt(distance * distance - radius * radius));
+    }
+#pragma omp critical
+    tiles.merge(mine);
+  }
 
-    selection.nearestDepth = std::min(selection.nearestDepth, centre.z() - radius);
-    if (centre.z() - radius < limits.nearDepth) {
-      selection.large.push_back(i);
+  if (limits.leaveOutHidden) {
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+      Projected& p = projected[static_cast<std::size_t>(k)];
+      if (p.fate == Fate::Seen && tiles.hides(tiles.meeting(p.centre, p.halfExtent), p.frontDistance)) {
+        p.fate = Fate::ThicknessOnly;
+      }
+    }
+  }
+
+  SplatSelection selection;
+  selection.nearestDepth = std::numeric_limits<float>::infinity();
+  const auto collect = [&](Fate fate) {
+    for (std::uint32_t i = 0; i < projected.size(); ++i) {
+      if (projected[i].fate != fate) continue;
+      selection.points.push_back(i);
+      selection.spheres.push_back(projected[i].sphere);
+    }
+  };
+  selection.points.reserve(projected.size());
+  selection.spheres.reserve(projected.size());
+  collect(Fate::Seen);
+  selection.visiblePoints = selection.points.size();
+  collect(Fate::ThicknessOnly);
+  for (std::uint32_t i = 0; i < projected.size(); ++i) {
+    const Projected& p = projected[i];
+    if (p.fate == Fate::Outside) continue;
+    if (p.fate == Fate::Spray) {
+      selection.spray.push_back(i);
       continue;
     }
-    const SlopeBounds bounds = sphereBounds(centre, radius);
-    const Eigen::Vector2f halfExtent = bounds.halfExtent / view.pixelSlope;
-    if (2.0F * halfExtent.maxCoeff() + 1.0F > limits.maxPointPixels) {
-      selection.large.push_back(i);
-      continue;
-    }
-    const Eigen::Vector2f pixel = view.toPixel(bounds.centre);
-    if (((pixel + halfExtent).array() < 0.0F).any() || ((pixel - halfExtent).array() > pictureSize.array()).any()) {
-      continue;
-    }
-    candidates.push_back({i, centre.norm() - radius, pixel, halfExtent});
-
-    // 0.7 < 1/√2: the square inside the outline, whose least half width is at least R/z.
-    const float halfEdge = 0.7F * radius / (centre.z() * view.pixelSlope);
-    tiles.cover(tiles.inside(pixel, halfEdge), std::sqrt(centre.squaredNorm() - radius * radius));
+    if (p.fate == Fate::Large) selection.large.push_back(i);
+    if (p.fate == Fate::ThicknessOnly && model.role(i) == SplatRole::Interior) ++selection.interiorPoints;
+    selection.nearestDepth = std::min(selection.nearestDepth, p.sphere.z - p.sphere.radius);
   }
   selection.nearestDepth = std::max(selection.nearestDepth, limits.nearDepth);
-
-  std::vector<std::uint32_t> hidden;
-  for (const Candidate& candidate : candidates) {
-    const bool isHidden = limits.leaveOutHidden &&
-                          tiles.hides(tiles.meeting(candidate.centre, candidate.halfExtent), candidate.frontDistance);
-    (isHidden ? hidden : selection.points).push_back(candidate.index);
-  }
-  selection.visiblePoints = selection.points.size();
-  selection.points.insert(selection.points.end(), hidden.begin(), hidden.end());
   return selection;
 }
 

@@ -19,16 +19,24 @@ ThicknessPass::ThicknessPass()
       large_(shaders().program("large_splats.vert", "thickness.frag", std::array{std::string_view("LARGE")})) {}
 
 void ThicknessPass::runPoints(const FrameContext& frame) const {
+  if (frame.plan.device.software) {
+    const float particleVolume = frame.scale.spacing * frame.scale.spacing * frame.scale.spacing;
+    frame.raster.drawThickness(frame.selection.spheres, frame.thicknessView, particleVolume,
+                               frame.targets.startAnew(Resource::Thickness));
+    return;
+  }
+  frame.targets.clear(Resource::Thickness);
   beginSum(frame);
   glUseProgram(points_.name());
-  aimSplats(frame, points_, Resource::Thickness, true);
-  frame.splats.drawPoints(frame.splats.points());
+  aimSplats(points_, frame.thicknessView, true);
+  frame.splats.drawPoints(frame.selection.spheres.size());
 }
 
 void ThicknessPass::runLarge(const FrameContext& frame) const {
+  if (!frame.plan.runs(Pass::Thickness)) frame.targets.clear(Resource::Thickness);
   beginSum(frame);
   glUseProgram(large_.name());
-  aimSplats(frame, large_, Resource::Thickness, false);
+  aimSplats(large_, frame.thicknessView, false);
   frame.splats.drawLarge();
 }
 

@@ -3,7 +3,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "sluice/render/frame_plan.h"
+
 namespace sluice::render {
+
+namespace {
+
+Eigen::Vector2f slopeAtEdges(const ViewGeometry& view) {
+  return 0.5F * view.pixelSlope *
+         Eigen::Vector2f(static_cast<float>(view.size.width), static_cast<float>(view.size.height));
+}
+
+}  // namespace
 
 ViewGeometry makeViewGeometry(const core::Camera& camera, core::ImageSize size) {
   const core::ViewBasis basis = core::viewBasis(camera);
@@ -15,9 +26,16 @@ ViewGeometry makeViewGeometry(const core::Camera& camera, core::ImageSize size) 
   view.forward = basis.forward;
   view.size = size;
   view.pixelSlope = 2.0F * std::tan(halfAngle) / static_cast<float>(size.height);
-  view.maxSlope =
-      0.5F * view.pixelSlope * Eigen::Vector2f(static_cast<float>(size.width), static_cast<float>(size.height));
+  view.maxSlope = slopeAtEdges(view);
   return view;
+}
+
+ViewGeometry divided(const ViewGeometry& view, unsigned divisor) {
+  ViewGeometry coarse = view;
+  coarse.size = dividedSize(view.size, divisor);
+  coarse.pixelSlope = view.pixelSlope * static_cast<float>(divisor);
+  coarse.maxSlope = slopeAtEdges(coarse);
+  return coarse;
 }
 
 SlopeBounds sphereBounds(const Eigen::Vector3f& centre, float radius) {

@@ -33,6 +33,10 @@ struct ViewGeometry {
 
 ViewGeometry makeViewGeometry(const core::Camera& camera, core::ImageSize size);
 
+/// The same view on a coarser picture of square pixels, `divisor` times as wide, about the same middle. It reaches a
+/// little beyond the picture where the size is not a multiple.
+ViewGeometry divided(const ViewGeometry& view, unsigned divisor);
+
 /// Bounds of a sphere's outline, in view slopes: the rectangle centre ± halfExtent.
 struct SlopeBounds {
   Eigen::Vector2f centre;

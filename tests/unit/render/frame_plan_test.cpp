@@ -41,20 +41,27 @@ TEST_F(FramePlanTest, IsPure) {
 TEST_F(FramePlanTest, DefaultRunsEveryPartOfTheLook) {
   const FramePlan p = plan();
   for (const Pass pass : {Pass::Background, Pass::GroundShadow, Pass::SelectSplats, Pass::Splats, Pass::Mask,
-                          Pass::ImplicitCurvatureFlow, Pass::Thickness, Pass::Composite}) {
+                          Pass::Smoothing, Pass::Thickness, Pass::SmoothThickness, Pass::Composite}) {
     EXPECT_TRUE(p.runs(pass)) << name(pass);
   }
 }
 
 TEST_F(FramePlanTest, PassesReadOnlyWhatIsThere) {
-  for (const auto choose :
-       {+[](v1::Smoothing& s) { s.mutable_bilateral(); }, +[](v1::Smoothing& s) { s.mutable_curvature_flow(); },
-        +[](v1::Smoothing& s) { s.mutable_implicit_curvature_flow(); }}) {
-    choose(*look.mutable_smoothing());
-    std::vector<Resource> there{Resource::Particles};
-    for (const PassStep& step : plan().steps) {
-      for (const Resource resource : step.reads) EXPECT_THAT(there, Contains(resource)) << name(step.pass);
-      there.insert(there.end(), step.writes.begin(), step.writes.end());
+  const google::protobuf::OneofDescriptor* const methods = v1::Smoothing::descriptor()->FindOneofByName("method");
+  for (int i = 0; i < methods->field_count(); ++i) {
+    for (const unsigned divisor : {1U, 2U}) {
+      v1::Smoothing& smoothing = *look.mutable_smoothing();
+      smoothing.GetReflection()->MutableMessage(&smoothing, methods->field(i));
+      scene::complete(smoothing);
+      smoothing.set_divisor(divisor);
+      std::vector<Resource> there{Resource::Particles};
+      const FramePlan p = plan();
+      for (const PassStep& step : p.steps) {
+        for (const Resource resource : step.reads) EXPECT_THAT(there, Contains(resource)) << step.name;
+        there.insert(there.end(), step.writes.begin(), step.writes.end());
+      }
+      EXPECT_TRUE(p.runs(Pass::Smoothing)) << methods->field(i)->name();
+      EXPECT_EQ(p.runs(Pass::BlendLiquid), divisor > 1);
     }
   }
 }
@@ -72,7 +79,7 @@ TEST_F(FramePlanTest, NoSmoothingTimeMeansNoSmoothingPass) {
   look.mutable_smoothing()->set_time(0);
   look.mutable_smoothing()->mutable_bilateral();
   const FramePlan p = plan();
-  EXPECT_FALSE(p.runs(Pass::Bilateral));
+  EXPECT_FALSE(p.runs(Pass::Smoothing));
   EXPECT_EQ(p.buffer(Resource::SurfaceScratch), nullptr);
   EXPECT_THAT(p.leftOut, names("smoothing"));
 }
@@ -123,6 +130,7 @@ TEST_F(FramePlanTest, ThicknessDivisorShrinksItsBuffer) {
 TEST_F(FramePlanTest, FlowStaysBelowItsBoundAndReachesItsTime) {
   look.mutable_smoothing()->set_time(0.5);
   look.mutable_smoothing()->mutable_curvature_flow()->set_max_iterations(10000);
+  scene::complete(look);
   const FlowSchedule flow = plan().flow;
   const double footprint = traits.pixelSlope * traits.nearestDepth;
   EXPECT_LE(flow.stepTime, 0.9 * footprint * footprint / 2);
@@ -134,6 +142,7 @@ TEST_F(FramePlanTest, FlowStaysBelowItsBoundAndReachesItsTime) {
 TEST_F(FramePlanTest, FlowCutShortSaysSo) {
   look.mutable_smoothing()->set_time(50);
   look.mutable_smoothing()->mutable_curvature_flow()->set_max_iterations(10);
+  scene::complete(look);
   const FramePlan p = plan();
   EXPECT_EQ(p.flow.iterations, 10);
   EXPECT_GT(p.flow.shortfall, 0.5);

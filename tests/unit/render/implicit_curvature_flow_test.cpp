@@ -1,4 +1,4 @@
-#include "implicit_curvature_flow.h"
+#include "smoothing/implicit_curvature_flow.h"
 
 #include <gtest/gtest.h>
 

@@ -70,7 +70,7 @@ TEST(SelectSplats, LeavingOutTheHiddenChangesNoPixel) {
   const core::ParticleSnapshot particles = testing::columnAndSheet(4000);
   const ViewGeometry view = makeViewGeometry(testing::columnAndSheetCamera(), {120, 90});
   const auto radius = static_cast<float>(0.9 * particles.spacing);
-  const SplatSelection selection = selectSplats(particles.positions, view, {radius, 0.1F * radius, 255.0F});
+  const SplatSelection selection = selectSplats(particles.positions, {}, view, {radius, 0.1F * radius, 255.0F});
   EXPECT_LT(selection.visiblePoints, selection.points.size()) << "nothing is hidden: this shows nothing";
   EXPECT_TRUE(selection.large.empty());
   const std::vector<std::uint32_t> visible(
@@ -82,7 +82,7 @@ TEST(SelectSplats, LeavingOutTheHiddenChangesNoPixel) {
 TEST(SelectSplats, EveryParticleInThePictureIsListedOnce) {
   const core::ParticleSnapshot particles = testing::columnAndSheet(4000);
   const ViewGeometry view = makeViewGeometry(testing::columnAndSheetCamera(), {320, 240});
-  SplatSelection selection = selectSplats(particles.positions, view, {0.05F, 0.005F, 255.0F});
+  SplatSelection selection = selectSplats(particles.positions, {}, view, {0.05F, 0.005F, 255.0F});
   std::ranges::sort(selection.points);
   EXPECT_TRUE(std::ranges::adjacent_find(selection.points) == selection.points.end());
   EXPECT_EQ(selection.points.size(), particles.size());
@@ -91,7 +91,7 @@ TEST(SelectSplats, EveryParticleInThePictureIsListedOnce) {
 TEST(SelectSplats, DropsWhatIsBehindOrBeside) {
   const ViewGeometry view = makeViewGeometry({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 45.0F}, {100, 100});
   const std::vector<Eigen::Vector3f> positions{{0, 0, 5}, {50, 0, -5}, {0, -50, -5}, {0, 0, -5}};
-  const SplatSelection selection = selectSplats(positions, view, {0.1F, 0.01F, 255.0F});
+  const SplatSelection selection = selectSplats(positions, {}, view, {0.1F, 0.01F, 255.0F});
   EXPECT_EQ(selection.points, std::vector<std::uint32_t>{3});
   EXPECT_TRUE(selection.large.empty());
   EXPECT_NEAR(selection.nearestDepth, 4.9F, 1e-5F);
@@ -100,7 +100,7 @@ TEST(SelectSplats, DropsWhatIsBehindOrBeside) {
 TEST(SelectSplats, SpheresAtTheEyeAreLarge) {
   const ViewGeometry view = makeViewGeometry({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 45.0F}, {200, 200});
   const std::vector<Eigen::Vector3f> positions{{0, 0, 0}, {0, 0, -0.1F}, {0, 0, -0.15F}};
-  const SplatSelection selection = selectSplats(positions, view, {0.1F, 0.01F, 255.0F});
+  const SplatSelection selection = selectSplats(positions, {}, view, {0.1F, 0.01F, 255.0F});
   EXPECT_TRUE(selection.points.empty());
   EXPECT_EQ(selection.large.size(), 3U);
   EXPECT_EQ(selection.nearestDepth, 0.01F);

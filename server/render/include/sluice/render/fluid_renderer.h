@@ -44,7 +44,11 @@ class FluidRenderer {
 
   /// A buffer of the last frame, for studies and tests: Resource::Surface (inverse eye depth, 1/m, after smoothing) or
   /// Resource::Thickness (m). Empty when the frame did without it.
-  FloatPicture readBuffer(Resource resource) const;
+  FloatPicture readBuffer(Resource resource);
+
+  /// What the look's smoothing makes of a given surface: inverse eye depths, 1/m, 0 where there is no liquid, seen by
+  /// `camera`, with particles `spacing` m apart. The look's divisor does not count.
+  FloatPicture smooth(const FloatPicture& surface, const v1::Look& look, double spacing, const core::Camera& camera);
 
   /// What the last frame ran and left out.
   const core::Plan& plan() const;

@@ -20,12 +20,12 @@ enum class Pass : std::uint8_t {
   Splats,
   LargeSplats,
   Mask,
-  Bilateral,
-  CurvatureFlow,
-  ImplicitCurvatureFlow,
+  Smoothing,
   Thickness,
   LargeThickness,
+  SmoothThickness,
   Composite,
+  BlendLiquid,
 };
 
 /// What passes read and write.
@@ -39,6 +39,8 @@ enum class Resource : std::uint8_t {
   SurfaceScratch,  ///< The other half of a filter's to and fro.
   Stencil,         ///< 1 where there is liquid.
   Thickness,       ///< Liquid along the line of sight, m.
+  ThicknessScratch,
+  Liquid,  ///< The shaded liquid alone, where it is drawn smaller than the picture.
   Picture,
 };
 
@@ -47,12 +49,13 @@ std::string_view name(Resource resource);
 
 /// Facts about the particles at hand and their place in the picture.
 struct DataTraits {
-  double spacing = 1;            ///< d, m.
-  std::size_t points = 0;        ///< Splats drawn as points.
-  std::size_t hiddenPoints = 0;  ///< Points that lie wholly behind others.
-  std::size_t largeSplats = 0;   ///< Splats too near or too large for points.
-  double nearestDepth = 1;       ///< Least eye depth of the liquid's surface, m.
-  double pixelSlope = 1e-3;      ///< Width of a pixel at eye depth 1.
+  double spacing = 1;              ///< d, m.
+  std::size_t points = 0;          ///< Splats drawn as points.
+  std::size_t hiddenPoints = 0;    ///< Points that are drawn into thickness alone, for whatever reason.
+  std::size_t interiorPoints = 0;  ///< Those of them that are deep inside the liquid.
+  std::size_t largeSplats = 0;     ///< Splats too near or too large for points.
+  double nearestDepth = 1;         ///< Least eye depth of the liquid's surface, m.
+  double pixelSlope = 1e-3;        ///< Width of a pixel at eye depth 1.
 
   std::size_t splats() const { return points + largeSplats; }
 };
@@ -61,6 +64,12 @@ struct DataTraits {
 struct ReuseTraits {
   bool background = false;
   bool shadowMap = false;
+};
+
+/// What the device does well.
+struct DeviceTraits {
+  /// The CPU draws, and so can as well do so without GL, where that is faster.
+  bool software = true;
 };
 
 /// How an explicit flow spends its smoothing time.
@@ -73,6 +82,7 @@ struct FlowSchedule {
 
 struct PassStep {
   Pass pass;
+  std::string name;
   std::vector<Resource> reads;
   std::vector<Resource> writes;
 
@@ -98,6 +108,7 @@ struct FramePlan {
   std::vector<PictureBuffer> buffers;
   std::vector<core::LeftOut> leftOut;
   FlowSchedule flow;
+  DeviceTraits device;
 
   bool runs(Pass pass) const;
   /// Null when the frame does without it.
@@ -106,16 +117,11 @@ struct FramePlan {
   core::Plan describe() const;
 };
 
-/// Iterations and step of the explicit curvature flow: as many steps, each at most `step_fraction` of the largest
-/// stable one anywhere in the picture, as the smoothing time needs; an even number, so that the result lies where the
-/// splats were.
-///
-/// The bound is s²/(2σ(W)) with the pixel footprint s = C·z and σ(W) = √(1+|W|²)·(1+|W|²/2) at view slope W, the worst
-/// case over all orientations of the surface. It takes the nearest depth and the steepest slope of the picture.
-FlowSchedule scheduleFlow(const v1::Smoothing& smoothing, const DataTraits& traits, core::ImageSize size);
+/// The picture's size divided by 1, 2 or 4, rounded up.
+core::ImageSize dividedSize(core::ImageSize size, unsigned divisor);
 
 /// Pure: the same arguments give the same plan. `look` and `background` are complete and valid.
 FramePlan planFrame(const v1::Look& look, const v1::Background& background, core::ImageSize size,
-                    const DataTraits& traits, const ReuseTraits& reuse);
+                    const DataTraits& traits, const ReuseTraits& reuse, const DeviceTraits& device = {});
 
 }  // namespace sluice::render

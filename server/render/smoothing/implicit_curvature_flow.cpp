@@ -1,9 +1,9 @@
-#include "implicit_curvature_flow.h"
+#include "smoothing/implicit_curvature_flow.h"
 
 #include <algorithm>
 
-#include "flow_rows.h"
 #include "sluice/core/check.h"
+#include "smoothing/flow_rows.h"
 
 namespace sluice::render {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "padded_field.h"
+#include "smoothing/padded_field.h"
 
 namespace sluice::render {
 

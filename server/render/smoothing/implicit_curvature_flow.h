@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "padded_field.h"
 #include "sluice/core/camera.h"
+#include "smoothing/padded_field.h"
 
 namespace sluice::render {
 

@@ -1,4 +1,4 @@
-#include "flow_rows.h"
+#include "smoothing/flow_rows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,24 @@
+#include "passes.h"
+
+namespace sluice::render {
+
+SmoothThicknessPass::SmoothThicknessPass() : program_(shaders().program("picture.vert", "smooth_thickness.frag")) {}
+
+void SmoothThicknessPass::run(const FrameContext& frame) const {
+  const double deviation = frame.look.thickness().smoothing_in_spacings() * frame.scale.spacing;
+  glProgramUniform1f(program_.name(), 1, static_cast<float>(deviation) / frame.thicknessView.pixelSlope);
+  glProgramUniform2f(program_.name(), 2, frame.surfaceView.maxSlope.x(), frame.surfaceView.maxSlope.y());
+  const core::ImageSize size = frame.thicknessView.size;
+  const auto smooth = [&](Resource from, Resource to, float dx, float dy) {
+    beginTarget(frame, to);
+    bindTexture(frame, 0, Resource::Surface);
+    bindTexture(frame, 1, from);
+    glUseProgram(program_.name());
+    glProgramUniform2f(program_.name(), 0, dx, dy);
+    drawPicture();
+  };
+  smooth(Resource::Thickness, Resource::ThicknessScratch, 1.0F / static_cast<float>(size.width), 0.0F);
+  smooth(Resource::ThicknessScratch, Resource::Thickness, 0.0F, 1.0F / static_cast<float>(size.height));
+}
+
+}  // namespace sluice::render

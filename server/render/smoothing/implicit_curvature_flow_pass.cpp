@@ -1,0 +1,33 @@
+#include "smoothing/implicit_curvature_flow.h"
+#include "smoothing/smoothing_method.h"
+
+namespace sluice::render {
+
+namespace {
+
+/// The flow's implicit form runs on the CPU, between two GL passes: elimination along lines is many times as fast there
+/// as on software GL, where reading back and uploading cost next to nothing.
+class ImplicitCurvatureFlowPass final : public SmoothingMethod {
+ public:
+  void run(const FrameContext& frame) override {
+    const v1::Smoothing& smoothing = frame.look.smoothing();
+    const v1::ImplicitCurvatureFlow& method = smoothing.implicit_curvature_flow();
+    FlowSettings settings;
+    settings.pixelSlope = frame.surfaceView.pixelSlope;
+    settings.time = static_cast<float>(smoothing.time() * frame.scale.spacing * frame.scale.spacing);
+    settings.edge = static_cast<float>(method.edge_in_radii() * frame.scale.radius);
+    settings.steps = static_cast<int>(method.steps());
+    flow_.smooth(frame.targets.change(Resource::Surface), frame.surfaceView.size, settings);
+  }
+
+ private:
+  ImplicitCurvatureFlow flow_;
+};
+
+}  // namespace
+
+SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing&, const SurfaceTraits&) { return {}; }
+
+std::unique_ptr<SmoothingMethod> makeImplicitCurvatureFlow() { return std::make_unique<ImplicitCurvatureFlowPass>(); }
+
+}  // namespace sluice::render

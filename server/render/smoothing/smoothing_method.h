@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frame_context.h"
+
+namespace sluice::render {
+
+/// Facts about the surface that is to be smoothed.
+struct SurfaceTraits {
+  double spacing = 1;        ///< d, m.
+  double splatRadius = 1;    ///< R, m.
+  double nearestDepth = 1;   ///< Least eye depth of the liquid's surface, m.
+  double pixelSlope = 1e-3;  ///< Width of one of the surface's pixels at eye depth 1.
+  core::ImageSize size;      ///< Of the surface, not of the picture.
+  DeviceTraits device;
+};
+
+/// What a method asks of a frame, besides the surface.
+struct SmoothingPlan {
+  bool scratch = false;  ///< Draws to and fro between Resource::Surface and Resource::SurfaceScratch.
+  bool mask = false;     ///< Draws where the stencil says that there is liquid.
+  FlowSchedule flow = {};
+  std::vector<core::LeftOut> leftOut = {};
+};
+
+/// One way to smooth the surface. Lives on the thread of the context.
+class SmoothingMethod {
+ public:
+  virtual ~SmoothingMethod() = default;
+
+  /// Leaves the smoothed surface in Resource::Surface. Runs with the surface's uniforms bound.
+  virtual void run(const FrameContext& frame) = 0;
+};
+
+/// Everything the rest of the renderer knows of a method. `plan` is pure and needs no GL.
+struct SmoothingMethodEntry {
+  v1::Smoothing::MethodCase method;
+  SmoothingPlan (*plan)(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+  std::unique_ptr<SmoothingMethod> (*make)();
+};
+
+/// Every method of the oneof Smoothing.method.
+std::span<const SmoothingMethodEntry> smoothingMethods();
+
+/// The chosen method's entry; null when none is chosen.
+const SmoothingMethodEntry* findSmoothingMethod(v1::Smoothing::MethodCase method);
+
+/// The name of the oneof's member, with spaces: "implicit curvature flow".
+std::string smoothingName(v1::Smoothing::MethodCase method);
+
+/// The Gaussian's σ that smooths as much as `smoothing.time`: √T, m.
+double smoothingDeviation(const v1::Smoothing& smoothing, double spacing);
+
+// Each method stands in the file of its name.
+SmoothingPlan planBilateral(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makeBilateral();
+SmoothingPlan planCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makeCurvatureFlow();
+SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makeImplicitCurvatureFlow();
+
+}  // namespace sluice::render
