@@ -18,5 +18,10 @@ void main() {
 #else
   float entry = (crossing.middle + root) / (dot(sphere.xyz, sphere.xyz) - sphere.w * sphere.w);
 #endif
-  inverseDepth = hit ? entry : 0.0;
+  // Flat rims: see kRimDepth in frame_plan.h.
+  float rim = frame.splat.w > 0.0 ? 1.0 / (sphere.z - frame.splat.w * sphere.w) : 0.0;
+#ifdef LARGE
+  rim = sphere.z - frame.splat.w * sphere.w > frame.eyeAndNear.w ? rim : 0.0;
+#endif
+  inverseDepth = hit ? max(entry, rim) : 0.0;
 }

@@ -55,8 +55,8 @@ class FluidRenderer::Impl {
     setUpGl();
     uploadSplats(plan, particles, selection, view, scale);
     castShadowIfNeeded(plan, particles, background);
-    upload(pictureUniforms_, makeFrameUniforms(view, view, thicknessView, scale, look, background));
-    upload(surfaceUniforms_, makeFrameUniforms(surfaceView, view, thicknessView, scale, look, background));
+    upload(pictureUniforms_, makeFrameUniforms(view, view, thicknessView, scale, plan, look, background));
+    upload(surfaceUniforms_, makeFrameUniforms(surfaceView, view, thicknessView, scale, plan, look, background));
     clock_.lap("upload");
 
     const FrameContext frame{plan,
@@ -106,7 +106,7 @@ class FluidRenderer::Impl {
     const FramePlan plan = planFrame(look, background, surface.size, traits, {}, device_);
     targets_.fit(plan);
     setUpGl();
-    upload(pictureUniforms_, makeFrameUniforms(view, view, view, scale, look, background));
+    upload(pictureUniforms_, makeFrameUniforms(view, view, view, scale, plan, look, background));
     std::ranges::copy(surface.values, targets_.startAnew(Resource::Surface).begin());
     const FrameContext frame{plan,
                              view,

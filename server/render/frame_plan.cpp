@@ -212,6 +212,7 @@ class Planner {
       writes.push_back(Resource::SurfaceScratch);
     }
     plan_.flow = needs.flow;
+    plan_.flatRims = needs.flatRims;
     std::ranges::move(needs.leftOut, std::back_inserter(plan_.leftOut));
     run(Pass::Smoothing, smoothingName(smoothing.method_case()), std::move(reads), std::move(writes));
   }
@@ -228,9 +229,12 @@ class Planner {
       run(Pass::LargeThickness, {Resource::Particles, Resource::SplatList}, {Resource::Thickness});
     }
     if (look_.thickness().smoothing_in_spacings() > 0) {
-      allocate(Resource::ThicknessScratch, PixelFormat::R32f, dividedSize(size_, look_.thickness().divisor()));
-      run(Pass::SmoothThickness, {Resource::Thickness, Resource::Surface},
-          {Resource::ThicknessScratch, Resource::Thickness});
+      std::vector<Resource> writes{Resource::Thickness};
+      if (!plan_.device.software) {
+        allocate(Resource::ThicknessScratch, PixelFormat::R32f, dividedSize(size_, look_.thickness().divisor()));
+        writes.push_back(Resource::ThicknessScratch);
+      }
+      run(Pass::SmoothThickness, {Resource::Thickness, Resource::Surface}, std::move(writes));
     } else {
       leaveOut(Pass::SmoothThickness, "look.thickness.smoothing_in_spacings is 0");
     }

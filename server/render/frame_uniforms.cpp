@@ -35,7 +35,8 @@ Eigen::Vector3f sunDirection(const v1::Background& background) {
 }
 
 FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& picture, const ViewGeometry& thickness,
-                                const SplatScale& scale, const v1::Look& look, const v1::Background& background) {
+                                const SplatScale& scale, const FramePlan& plan, const v1::Look& look,
+                                const v1::Background& background) {
   const v1::Liquid& liquid = look.liquid();
   const auto width = static_cast<float>(view.size.width);
   const auto height = static_cast<float>(view.size.height);
@@ -45,7 +46,7 @@ FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& pi
   u.downAndSlope = pack(view.down, view.maxSlope.y());
   u.forwardAndPixel = pack(view.forward, view.pixelSlope);
   u.pictureSize = {width, height, 1.0F / width, 1.0F / height};
-  u.splat = {scale.radius, scale.volumeFactor(), scale.spacing, 0.0F};
+  u.splat = {scale.radius, scale.volumeFactor(), scale.spacing, plan.flatRims ? kRimDepth : 0.0F};
   u.floorAndHaze = {static_cast<float>(background.floor_height()), static_cast<float>(background.tile_size()),
                     background.floor() ? 1.0F : 0.0F, static_cast<float>(background.haze_distance())};
   u.tileLight = pack(background.tile_light());

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "sluice/render/frame_plan.h"
 #include "sluice/v1/scene.pb.h"
 #include "view_geometry.h"
 
@@ -49,6 +50,7 @@ Eigen::Vector3f sunDirection(const v1::Background& background);
 /// Everything but the shadow map's place, which is left 0. `target` is the view that is drawn into, `picture` and
 /// `thickness` those of two buffers that its passes read.
 FrameUniforms makeFrameUniforms(const ViewGeometry& target, const ViewGeometry& picture, const ViewGeometry& thickness,
-                                const SplatScale& scale, const v1::Look& look, const v1::Background& background);
+                                const SplatScale& scale, const FramePlan& plan, const v1::Look& look,
+                                const v1::Background& background);
 
 }  // namespace sluice::render

@@ -8,6 +8,7 @@
 #include "shadow_map.h"
 #include "sluice/render/fluid_renderer.h"
 #include "smoothing/smoothing_method.h"
+#include "thickness_smoothing.h"
 
 namespace sluice::render {
 
@@ -60,13 +61,14 @@ class ThicknessPass {
   gl::Program large_;
 };
 
-/// A Gaussian of the thickness, as wide in space as it is told, whatever the distance.
+/// Evens the thickness out over as wide a place as it is told, whatever the distance.
 class SmoothThicknessPass {
  public:
   SmoothThicknessPass();
-  void run(const FrameContext& frame) const;
+  void run(const FrameContext& frame);
 
  private:
+  ThicknessSmoothing cpu_;
   gl::Program program_;
 };
 

@@ -4,9 +4,15 @@ namespace sluice::render {
 
 SmoothThicknessPass::SmoothThicknessPass() : program_(shaders().program("picture.vert", "smooth_thickness.frag")) {}
 
-void SmoothThicknessPass::run(const FrameContext& frame) const {
-  const double deviation = frame.look.thickness().smoothing_in_spacings() * frame.scale.spacing;
-  glProgramUniform1f(program_.name(), 1, static_cast<float>(deviation) / frame.thicknessView.pixelSlope);
+void SmoothThicknessPass::run(const FrameContext& frame) {
+  const auto deviation = static_cast<float>(frame.look.thickness().smoothing_in_spacings() * frame.scale.spacing);
+  if (frame.plan.device.software) {
+    cpu_.smooth(frame.targets.change(Resource::Thickness), frame.thicknessView, frame.targets.read(Resource::Surface),
+                frame.surfaceView, deviation);
+    return;
+  }
+  const float scale = ThicknessSmoothing::kReachOfDeviation * deviation / frame.thicknessView.pixelSlope;
+  glProgramUniform1f(program_.name(), 1, scale);
   glProgramUniform2f(program_.name(), 2, frame.surfaceView.maxSlope.x(), frame.surfaceView.maxSlope.y());
   const core::ImageSize size = frame.thicknessView.size;
   const auto smooth = [&](Resource from, Resource to, float dx, float dy) {

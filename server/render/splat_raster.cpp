@@ -43,7 +43,7 @@ inline float discriminant(const RowTerms& row, float slopeX) {
   return row.rowDiscriminant + row.squaredRadius * slopeX * slopeX - ex * ex - cross * cross;
 }
 
-SLUICE_SIMD_CLONES void drawDepthRow(const RowTerms& terms, float inverse, const float* __restrict slopes,
+SLUICE_SIMD_CLONES void drawDepthRow(const RowTerms& terms, float inverse, float rim, const float* __restrict slopes,
                                      float* __restrict q, int count) {
   const RowTerms row = terms;
   for (int first = 0; first < count; first += kBlock) {
@@ -52,7 +52,7 @@ SLUICE_SIMD_CLONES void drawDepthRow(const RowTerms& terms, float inverse, const
       const float d = discriminant(row, slopes[i]);
       const float root = std::sqrt(std::max(d, 0.0F));
       const float front = (row.rowMiddle + row.cx * slopes[i] + root) * inverse;
-      q[i] = std::max(q[i], d >= 0.0F ? front : 0.0F);
+      q[i] = std::max(q[i], d >= 0.0F ? std::max(front, rim) : 0.0F);
     }
   }
 }
@@ -150,7 +150,8 @@ void SplatRaster::forEachStrip(const ViewGeometry& target, const DrawStrip& draw
   }
 }
 
-void SplatRaster::drawDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, std::span<float> q) {
+void SplatRaster::drawDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, float rimDepth,
+                            std::span<float> q) {
   bin(spheres, target);
   const auto width = static_cast<std::size_t>(target.size.width);
   forEachStrip(target, [&](std::span<const std::uint32_t> met, int top, int bottom, const auto& row) {
@@ -159,9 +160,10 @@ void SplatRaster::drawDepth(std::span<const ViewSphere> spheres, const ViewGeome
       const Bounds& box = bounds_[index];
       const float squaredRadius = sphere.radius * sphere.radius;
       const float inverse = 1.0F / (sphere.x * sphere.x + sphere.y * sphere.y + sphere.z * sphere.z - squaredRadius);
+      const float rim = 1.0F / (sphere.z - rimDepth * sphere.radius) * (rimDepth > 0.0F ? 1.0F : 0.0F);
       for (int y = std::max<int>(box.top, top); y < std::min<int>(box.bottom, bottom); ++y) {
-        drawDepthRow(rowTerms(sphere, squaredRadius, rowSlope(target, y)), inverse, columnSlopes_.data() + box.left,
-                     row(y) + box.left, box.right - box.left);
+        drawDepthRow(rowTerms(sphere, squaredRadius, rowSlope(target, y)), inverse, rim,
+                     columnSlopes_.data() + box.left, row(y) + box.left, box.right - box.left);
       }
     }
     for (int y = top; y < bottom; ++y) {

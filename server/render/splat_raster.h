@@ -35,7 +35,8 @@ class SplatRaster {
  public:
   /// q = max(q, 1/z of the front) wherever a sphere is; `q` has the target's size, row by row. In both pictures a
   /// sphere is widened to what a pixel of the target needs, see visibleRadius.
-  void drawDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, std::span<float> q);
+  /// `rimDepth` is 0 for spheres, or where, in radii before its centre, a sphere's limb is cut to a flat rim.
+  void drawDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, float rimDepth, std::span<float> q);
 
   /// thickness += κ·(length of the line of sight inside) for every sphere, where κ is a particle's volume, m³, over the
   /// sphere's.

@@ -11,7 +11,7 @@ void SplatsPass::runPoints(const FrameContext& frame) const {
   const std::size_t visible = frame.selection.visiblePoints;
   if (frame.plan.device.software) {
     frame.raster.drawDepth(std::span(frame.selection.spheres).first(visible), frame.surfaceView,
-                           frame.targets.startAnew(Resource::Surface));
+                           frame.plan.flatRims ? kRimDepth : 0.0F, frame.targets.startAnew(Resource::Surface));
     return;
   }
   frame.targets.clear(Resource::Surface);

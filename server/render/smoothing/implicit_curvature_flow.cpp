@@ -1,6 +1,7 @@
 #include "smoothing/implicit_curvature_flow.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sluice/core/check.h"
 #include "smoothing/flow_rows.h"
@@ -17,20 +18,35 @@ RowSpan liquidSpan(const float* q, int width) {
   return {first, last};
 }
 
-FlowRow flowRow(const PaddedField& picture, int y, RowSpan span, int left, int top, float pixelSlope,
-                core::ImageSize size) {
-  const float middleX = 0.5F * static_cast<float>(size.width);
-  const float middleY = 0.5F * static_cast<float>(size.height);
-  return {picture.row(y - 1),
-          picture.row(y),
-          picture.row(y + 1),
-          span,
-          pixelSlope * (static_cast<float>(left) + 0.5F - middleX),
-          pixelSlope * (static_cast<float>(y + top) + 0.5F - middleY),
-          pixelSlope};
+RowAndNeighbours rows(const PaddedField& field, int y) { return {field.row(y - 1), field.row(y), field.row(y + 1)}; }
+
+/// Columns side by side that one thread works on: a few cache lines of every row.
+constexpr int kColumns = 64;
+
+/// A length in pixels at inverse depth q. 128 bounds the cost of liquid right before the eye.
+int pixels(float length, float q, float pixelSlope) {
+  return static_cast<int>(std::min(length * q / pixelSlope, 128.0F));
 }
 
 }  // namespace
+
+FlowRow ImplicitCurvatureFlow::flowRow(const Window& window, int y, RowSpan span, const Step& step) const {
+  const auto slope = [&](int pixel, int count) {
+    return step.pixelSlope * (static_cast<float>(pixel) + 0.5F - 0.5F * static_cast<float>(count));
+  };
+  return {rows(picture_, y),
+          step.oriented == nullptr ? RowAndNeighbours{} : rows(*step.oriented, y),
+          span,
+          slope(window.left, step.size.width),
+          slope(y + window.top, step.size.height),
+          step.pixelSlope};
+}
+
+RowSpan ImplicitCurvatureFlow::part(const Window& window, int y, int chunk) {
+  const RowSpan span = window.spans[static_cast<std::size_t>(y)];
+  const int first = std::max(span.first, chunk * kColumns);
+  return {first, std::max(first, std::min(span.last, (chunk + 1) * kColumns))};
+}
 
 ImplicitCurvatureFlow::Window ImplicitCurvatureFlow::findLiquid(std::span<const float> q, core::ImageSize size) {
   std::vector<RowSpan> spans(static_cast<std::size_t>(size.height));
@@ -62,10 +78,7 @@ ImplicitCurvatureFlow::Window ImplicitCurvatureFlow::findLiquid(std::span<const 
 void ImplicitCurvatureFlow::fit(const Window& window) {
   width_ = window.width;
   height_ = window.height();
-  picture_ = PaddedField(width_, height_);
-  coefficient_ = PaddedField(width_, height_);
-  rightSide_ = PaddedField(width_, height_);
-  block_.assign(2 * static_cast<std::size_t>(width_) * kLanes, 0.0F);
+  for (PaddedField* field : {&picture_, &before_, &after_, &rightSide_}) field->fit(width_, height_);
 }
 
 void ImplicitCurvatureFlow::smooth(std::span<float> q, core::ImageSize size, const FlowSettings& settings) {
@@ -77,62 +90,168 @@ void ImplicitCurvatureFlow::smooth(std::span<float> q, core::ImageSize size, con
     return q.data() + static_cast<std::size_t>(y + window.top) * static_cast<std::size_t>(size.width) + window.left;
   };
   for (int y = 0; y < height_; ++y) std::copy_n(source(y), width_, picture_.row(y));
-  const float timeStep = settings.time / static_cast<float>(settings.steps);
-  for (int step = 0; step < settings.steps; ++step) {
-    smoothRows(window, settings, size, timeStep);
-    smoothColumns(window, settings, size, timeStep);
+  if (settings.widestGap > 0.0F) closeGaps(window, settings);
+  orient(window, settings, size);
+  // The end of every line moves by itself, and a long step carries what sets it apart from its neighbours far inside: a
+  // last short step, a Gaussian of σ = 0.4 d, evens that out.
+  const float last = std::min(0.15F * settings.spacing * settings.spacing, 0.25F * settings.time);
+  Step step{(settings.time - last) / static_cast<float>(settings.steps),
+            settings.pixelSlope,
+            settings.edge,
+            settings.spacing,
+            size,
+            &oriented_};
+  for (int k = 0; k < settings.steps; ++k) {
+    // What one axis does to the lines of the other does not add up when they take turns.
+    if (k % 2 == 0) {
+      smoothColumns(window, step);
+      smoothRows(window, step);
+    } else {
+      smoothRows(window, step);
+      smoothColumns(window, step);
+    }
+    step.oriented = &picture_;
   }
+  step.time = last;
+  step.oriented = nullptr;
+  smoothColumns(window, step);
+  smoothRows(window, step);
   for (int y = 0; y < height_; ++y) std::copy_n(picture_.row(y), width_, source(y));
 }
 
-void ImplicitCurvatureFlow::smoothRows(const Window& window, const FlowSettings& settings, core::ImageSize size,
-                                       float timeStep) {
-  for (int y = 0; y < height_; ++y) {
-    const RowSpan span = window.spans[static_cast<std::size_t>(y)];
-    flowAlongRow(flowRow(picture_, y, span, window.left, window.top, settings.pixelSlope, size), timeStep,
-                 settings.edge, coefficient_.row(y), rightSide_.row(y));
-  }
-  // Elimination runs along a row, one pixel after another: several rows side by side keep the vector units busy.
-  float* const c = block_.data();
-  float* const b = c + static_cast<std::size_t>(width_) * kLanes;
-  for (int top = 0; top < height_; top += kLanes) {
-    const int rows = std::min(kLanes, height_ - top);
-    std::fill(block_.begin(), block_.end(), 0.0F);
-    for (int l = 0; l < rows; ++l) {
-      const RowSpan span = window.spans[static_cast<std::size_t>(top + l)];
-      const float* const coefficients = coefficient_.row(top + l);
-      const float* const rightSides = rightSide_.row(top + l);
-      for (int i = span.first; i < span.last; ++i) {
-        c[i * kLanes + l] = coefficients[i];
-        b[i * kLanes + l] = rightSides[i];
-      }
+void ImplicitCurvatureFlow::closeGaps(const Window& window, const FlowSettings& settings) {
+  const auto widest = [&](float q) { return pixels(settings.widestGap, q, settings.pixelSlope); };
+  const int chunks = (width_ + kColumns - 1) / kColumns;
+#pragma omp parallel
+  {
+    std::vector<float> marks(static_cast<std::size_t>(width_));
+#pragma omp for schedule(static)
+    for (int y = 0; y < height_; ++y) {
+      float* const q = picture_.row(y);
+      const RowSpan span = window.spans[static_cast<std::size_t>(y)];
+      markGaps(q, q + 1, settings.edge, marks.data(), span);
+      forEachEnd(marks.data(), span, [&](int i, float) { closeGap(q + i, 1, widest(q[i]), settings.edge); });
     }
-    solveInterleavedRows(c, b, width_);
-    for (int l = 0; l < rows; ++l) {
-      const RowSpan span = window.spans[static_cast<std::size_t>(top + l)];
-      float* const change = rightSide_.row(top + l);
-      for (int i = span.first; i < span.last; ++i) change[i] = b[i * kLanes + l];
-      addChange(picture_.row(top + l), change, span);
+#pragma omp for schedule(static)
+    for (int chunk = 0; chunk < chunks; ++chunk) {
+      for (int y = 0; y + 1 < height_; ++y) {
+        float* const q = picture_.row(y);
+        const RowSpan span = part(window, y, chunk);
+        markGaps(q, picture_.row(y + 1), settings.edge, marks.data(), span);
+        forEachEnd(marks.data(), span,
+                   [&](int i, float) { closeGap(q + i, picture_.stride(), widest(q[i]), settings.edge); });
+      }
     }
   }
 }
 
-void ImplicitCurvatureFlow::smoothColumns(const Window& window, const FlowSettings& settings, core::ImageSize size,
-                                          float timeStep) {
-  for (int y = 0; y < height_; ++y) {
-    // Outside its span a row passes nothing on.
-    std::fill_n(coefficient_.row(y), width_, 0.0F);
-    std::fill_n(rightSide_.row(y), width_, 0.0F);
-    const RowSpan span = window.spans[static_cast<std::size_t>(y)];
-    flowAlongColumn(flowRow(picture_, y, span, window.left, window.top, settings.pixelSlope, size), timeStep,
-                    settings.edge, coefficient_.row(y), rightSide_.row(y));
-    eliminateDown(coefficient_.row(y - 1), rightSide_.row(y - 1), coefficient_.row(y), rightSide_.row(y), span.first,
-                  span.last);
+void ImplicitCurvatureFlow::orient(const Window& window, const FlowSettings& settings, core::ImageSize size) {
+  oriented_.fit(width_, height_);
+  for (int y = 0; y < height_; ++y) std::copy_n(picture_.row(y), width_, oriented_.row(y));
+  // Wide enough for splats to merge, narrow enough for the liquid's own shape: a Gaussian of σ = ¾ d.
+  constexpr float kDeviationInSpacings = 0.75F;
+  const float deviation = kDeviationInSpacings * settings.spacing;
+  const Step spread{deviation * deviation, settings.pixelSlope, settings.edge, settings.spacing, size, nullptr};
+  smoothRows(window, spread);
+  smoothColumns(window, spread);
+  std::swap(oriented_, picture_);
+}
+
+void ImplicitCurvatureFlow::smoothRows(const Window& window, const Step& step) {
+  // At least a few pixels, for splats that are hardly larger.
+  const auto reach = [&](float q) { return std::max(pixels(step.spacing, q, step.pixelSlope), 4); };
+#pragma omp parallel
+  {
+    std::vector<float> ends(static_cast<std::size_t>(width_));
+#pragma omp for schedule(static)
+    for (int y = 0; y < height_; ++y) {
+      const RowSpan span = window.spans[static_cast<std::size_t>(y)];
+      const FlowRow row = flowRow(window, y, span, step);
+      float* const before = before_.row(y);
+      float* const after = after_.row(y);
+      float* const rightSide = rightSide_.row(y);
+      flowAlongRow(row, step.time, step.edge, before, rightSide, ends.data());
+      std::copy(before + span.first, before + span.last, after + span.first);
+      forEachEnd(ends.data(), span, [&](int i, float end) {
+        if (row.surface.q[i] <= 0.0F) return;
+        const float mobility = mobilityAt(row, i, step.time, step.edge).alongX;
+        const EndLink link =
+            linkEnd(row.surface.q + i, end == kStarts ? 1 : -1, mobility, step.edge, reach(row.surface.q[i]));
+        (end == kStarts ? after : before)[i] = link.coefficient;
+        rightSide[i] = link.rightSide;
+      });
+    }
+
+    // Elimination runs along a row, one pixel after another: several rows side by side keep the vector units busy.
+    const std::size_t lanes = static_cast<std::size_t>(width_) * kLanes;
+    std::vector<float> block(3 * lanes);
+    float* const before = block.data();
+    float* const after = before + lanes;
+    float* const rightSide = after + lanes;
+#pragma omp for schedule(static)
+    for (int top = 0; top < height_; top += kLanes) {
+      const int rows = std::min(kLanes, height_ - top);
+      std::ranges::fill(block, 0.0F);
+      for (int l = 0; l < rows; ++l) {
+        const RowSpan span = window.spans[static_cast<std::size_t>(top + l)];
+        for (int i = span.first; i < span.last; ++i) {
+          before[i * kLanes + l] = before_.row(top + l)[i];
+          after[i * kLanes + l] = after_.row(top + l)[i];
+          rightSide[i * kLanes + l] = rightSide_.row(top + l)[i];
+        }
+      }
+      solveInterleavedRows(before, after, rightSide, width_);
+      for (int l = 0; l < rows; ++l) {
+        const RowSpan span = window.spans[static_cast<std::size_t>(top + l)];
+        float* const change = rightSide_.row(top + l);
+        for (int i = span.first; i < span.last; ++i) change[i] = rightSide[i * kLanes + l];
+        addChange(picture_.row(top + l), change, span);
+      }
+    }
   }
-  for (int y = height_ - 1; y >= 0; --y) {
-    const RowSpan span = window.spans[static_cast<std::size_t>(y)];
-    substituteUp(coefficient_.row(y), rightSide_.row(y), rightSide_.row(y + 1), span.first, span.last);
-    addChange(picture_.row(y), rightSide_.row(y), span);
+}
+
+void ImplicitCurvatureFlow::smoothColumns(const Window& window, const Step& step) {
+  // At least a few pixels, for splats that are hardly larger.
+  const auto reach = [&](float q) { return std::max(pixels(step.spacing, q, step.pixelSlope), 4); };
+  const int chunks = (width_ + kColumns - 1) / kColumns;
+#pragma omp parallel
+  {
+    std::vector<float> ends(static_cast<std::size_t>(width_));
+#pragma omp for schedule(static)
+    for (int chunk = 0; chunk < chunks; ++chunk) {
+      const int left = chunk * kColumns;
+      const int columns = std::min(kColumns, width_ - left);
+      for (int y = 0; y < height_; ++y) {
+        float* const before = before_.row(y);
+        float* const after = after_.row(y);
+        float* const rightSide = rightSide_.row(y);
+        // Outside its span a row passes nothing on.
+        for (float* values : {before, after, rightSide}) std::fill_n(values + left, columns, 0.0F);
+        const RowSpan span = part(window, y, chunk);
+        if (span.width() == 0) continue;
+        const FlowRow row = flowRow(window, y, span, step);
+        flowAlongColumn(row, step.time, step.edge, before, rightSide, ends.data());
+        std::copy(before + span.first, before + span.last, after + span.first);
+        forEachEnd(ends.data(), span, [&](int i, float end) {
+          if (row.surface.q[i] <= 0.0F) return;
+          const float mobility = mobilityAt(row, i, step.time, step.edge).alongY;
+          const std::ptrdiff_t inwards = end == kStarts ? picture_.stride() : -picture_.stride();
+          const EndLink link = linkEnd(row.surface.q + i, inwards, mobility, step.edge, reach(row.surface.q[i]));
+          (end == kStarts ? after : before)[i] = link.coefficient;
+          rightSide[i] = link.rightSide;
+        });
+        eliminateDown(after_.row(y - 1), rightSide_.row(y - 1), before, after, rightSide, span.first, span.last);
+      }
+    }
+#pragma omp for schedule(static)
+    for (int chunk = 0; chunk < chunks; ++chunk) {
+      for (int y = height_ - 1; y >= 0; --y) {
+        const RowSpan span = part(window, y, chunk);
+        substituteUp(after_.row(y), rightSide_.row(y), rightSide_.row(y + 1), span.first, span.last);
+        addChange(picture_.row(y), rightSide_.row(y), span);
+      }
+    }
   }
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sluice/core/camera.h"
-#include "smoothing/padded_field.h"
+#include "smoothing/flow_rows.h"
 
 namespace sluice::render {
 
@@ -13,6 +13,8 @@ struct FlowSettings {
   float pixelSlope = 1e-3F;  ///< C.
   float time = 0;            ///< Flow time of all steps together, m².
   float edge = 1;            ///< Step of eye depth between neighbouring pixels that counts as a silhouette, m.
+  float spacing = 0.05F;     ///< d, m.
+  float widestGap = 0;       ///< Gaps between splats up to this wide are closed first, m.
   int steps = 3;
 };
 
@@ -23,12 +25,18 @@ struct FlowSettings {
 ///   (I − Δt·A^{xx}∂_xx) δ = Δt·(A^{xx} q_xx + 2A^{xy} q_xy),  q += δ;  (I − Δt·A^{yy}∂_yy) δ = Δt·A^{yy} q_yy,  q +=
 ///   δ,
 /// each line solved exactly by elimination. A bump of wave numbers k, l shrinks by 1/((1+Δt·A^{xx}k²)(1+Δt·A^{yy}l²)):
-/// stable for any Δt. Lines end at silhouettes, where a pixel stays put along the axis that is cut, as the ghost values
-/// of the explicit flow have it; nothing is ever smoothed across, which makes grids that are coarser than the picture
+/// stable for any Δt. Lines end at silhouettes, where a pixel follows its neighbour inside with the slope of the
+/// surface there (see linkEnd); nothing is ever smoothed across, which makes grids that are coarser than the picture
 /// (multigrid) diverge at silhouettes.
 ///
-/// Runs on the calling thread alone: a step takes a few milliseconds, too short to share out while a simulation has the
-/// other cores.
+/// The mobility A follows the slope of the surface, not that of single splats: the first step takes it from a copy in
+/// which splats have merged (as Catté et al. 1992 do for diffusion of images). With the slopes of the splats themselves
+/// every limb is a barrier to the lines that cross it, and long steps leave streaks along both axes.
+///
+/// Before that, narrow gaps in a surface through which another one shows far behind are closed: seen at a flat angle,
+/// splats stand apart, and every gap would end lines that belong together.
+///
+/// Uses the OpenMP team of the calling thread; the result is the same for any number of threads.
 class ImplicitCurvatureFlow {
  public:
   /// Smooths in place: `q` holds one inverse depth per pixel, row by row, 0 where there is no liquid, which stays so.
@@ -45,17 +53,33 @@ class ImplicitCurvatureFlow {
     int height() const { return static_cast<int>(spans.size()); }
   };
 
+  /// One implicit step.
+  struct Step {
+    float time;                   ///< Flow time, m².
+    float pixelSlope;             ///< C.
+    float edge;                   ///< As in FlowSettings.
+    float spacing;                ///< Likewise.
+    core::ImageSize size;         ///< Of the whole picture.
+    const PaddedField* oriented;  ///< Where the surface's slope is read; null to let q spread alike everywhere.
+  };
+
   static Window findLiquid(std::span<const float> q, core::ImageSize size);
+  /// The pixels of row y that belong to one chunk of columns.
+  static RowSpan part(const Window& window, int y, int chunk);
+  FlowRow flowRow(const Window& window, int y, RowSpan span, const Step& step) const;
   void fit(const Window& window);
-  void smoothRows(const Window& window, const FlowSettings& settings, core::ImageSize size, float timeStep);
-  void smoothColumns(const Window& window, const FlowSettings& settings, core::ImageSize size, float timeStep);
+  void closeGaps(const Window& window, const FlowSettings& settings);
+  void orient(const Window& window, const FlowSettings& settings, core::ImageSize size);
+  void smoothRows(const Window& window, const Step& step);
+  void smoothColumns(const Window& window, const Step& step);
 
   int width_ = 0;
   int height_ = 0;
   PaddedField picture_;
-  PaddedField coefficient_;  ///< c = Δt·A/C² along the axis at hand.
+  PaddedField oriented_;
+  PaddedField before_;  ///< Links to the pixel before along the axis at hand, Δt·A/C².
+  PaddedField after_;   ///< Likewise to the pixel after.
   PaddedField rightSide_;
-  std::vector<float> block_;  ///< Interleaved rows while they are solved.
 };
 
 }  // namespace sluice::render

@@ -16,6 +16,8 @@ class ImplicitCurvatureFlowPass final : public SmoothingMethod {
     settings.pixelSlope = frame.surfaceView.pixelSlope;
     settings.time = static_cast<float>(smoothing.time() * frame.scale.spacing * frame.scale.spacing);
     settings.edge = static_cast<float>(method.edge_in_radii() * frame.scale.radius);
+    settings.spacing = frame.scale.spacing;
+    settings.widestGap = static_cast<float>(method.close_gaps_in_spacings() * frame.scale.spacing);
     settings.steps = static_cast<int>(method.steps());
     flow_.smooth(frame.targets.change(Resource::Surface), frame.surfaceView.size, settings);
   }
@@ -26,7 +28,7 @@ class ImplicitCurvatureFlowPass final : public SmoothingMethod {
 
 }  // namespace
 
-SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing&, const SurfaceTraits&) { return {}; }
+SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing&, const SurfaceTraits&) { return {.flatRims = true}; }
 
 std::unique_ptr<SmoothingMethod> makeImplicitCurvatureFlow() { return std::make_unique<ImplicitCurvatureFlowPass>(); }
 

@@ -24,6 +24,9 @@ struct SurfaceTraits {
 struct SmoothingPlan {
   bool scratch = false;  ///< Draws to and fro between Resource::Surface and Resource::SurfaceScratch.
   bool mask = false;     ///< Draws where the stencil says that there is liquid.
+  /// Asks for splats whose limbs are flat: the surface of a splat ends at its rim up to a radius behind its front, far
+  /// deeper than where splats meet inside the liquid, and silhouettes would show every single one.
+  bool flatRims = false;
   FlowSchedule flow = {};
   std::vector<core::LeftOut> leftOut = {};
 };

@@ -72,6 +72,9 @@ struct DeviceTraits {
   bool software = true;
 };
 
+/// Where a flat rim lies, in radii before the splat's centre: with R = 0.9 d as deep as where two splats d apart meet.
+constexpr float kRimDepth = 0.83F;
+
 /// How an explicit flow spends its smoothing time.
 struct FlowSchedule {
   int iterations = 0;
@@ -108,6 +111,7 @@ struct FramePlan {
   std::vector<PictureBuffer> buffers;
   std::vector<core::LeftOut> leftOut;
   FlowSchedule flow;
+  bool flatRims = false;  ///< Splats' limbs do not fall far behind their fronts, see kRimDepth.
   DeviceTraits device;
 
   bool runs(Pass pass) const;
