@@ -26,7 +26,9 @@ class ImplicitCurvatureFlowPass final : public SmoothingMethod {
 
 }  // namespace
 
-SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing&, const SurfaceTraits&) { return {}; }
+SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits&) {
+  return {.sweeps = static_cast<int>(2 * smoothing.implicit_curvature_flow().steps())};
+}
 
 std::unique_ptr<SmoothingMethod> makeImplicitCurvatureFlow() { return std::make_unique<ImplicitCurvatureFlowPass>(); }
 

@@ -24,6 +24,7 @@ struct SurfaceTraits {
 struct SmoothingPlan {
   bool scratch = false;  ///< Draws to and fro between Resource::Surface and Resource::SurfaceScratch.
   bool mask = false;     ///< Draws where the stencil says that there is liquid.
+  int sweeps = 1;        ///< Times that it goes over the whole surface, along rows and along columns counted apart.
   FlowSchedule flow = {};
   std::vector<core::LeftOut> leftOut = {};
 };
