@@ -363,8 +363,8 @@ std::vector<PlotPoint> paretoFront(const std::vector<PlotPoint>& points) {
 
 std::vector<double> logarithmicTicks(double low, double high) {
   SLUICE_CHECK(low > 0 && high >= low);
-  // Beyond two decades a tick at every 2 and 5 crowds the axis.
-  const bool dense = std::log10(high / low) <= 2.0;
+  // Over a longer range ticks at every 2 and 5 crowd the axis.
+  const bool dense = std::log10(high / low) <= 2.5;
   std::vector<double> ticks;
   for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10, power) <= high; ++power) {
     for (const double digit : {1.0, 2.0, 5.0}) {

@@ -2,6 +2,8 @@
 #include <array>
 #include <string>
 
+#include "features/features_study.h"
+#include "scaling/scaling_study.h"
 #include "sluice/core/input_error.h"
 #include "sluice/evaluate/study.h"
 #include "smoothing/smoothing_study.h"
@@ -15,6 +17,8 @@ std::span<const Study> studies() {
             smoothingParts, runSmoothingStudy},
       Study{"stability", "cases that are made to break what they test: depth images, cameras, steps beyond their bound",
             stabilityParts, runStabilityStudy},
+      Study{"features", "what each feature costs, and leaving it out saves", featureParts, runFeaturesStudy},
+      Study{"scaling", "how the time of a frame grows with particles and with pixels", scalingParts, runScalingStudy},
   };
   return kStudies;
 }
