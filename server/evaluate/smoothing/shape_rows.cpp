@@ -1,6 +1,7 @@
 #include "smoothing/shape_rows.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "metrics/surface_error.h"
 #include "sluice/core/check.h"
@@ -45,7 +46,15 @@ class ShapeStudy {
     return setting;
   }
 
-  Reference makeReference(int divisor) const {
+  /// Where the whole picture holds liquid; traced once.
+  const Mask& pictureLiquid() {
+    if (!pictureLiquid_) {
+      pictureLiquid_ = traceReference(*subject_.surface, makeSight(subject_.camera, sweep_.size)).liquid;
+    }
+    return *pictureLiquid_;
+  }
+
+  Reference makeReference(int divisor) {
     const core::ImageSize size{(sweep_.size.width + divisor - 1) / divisor,
                                (sweep_.size.height + divisor - 1) / divisor};
     Reference reference;
@@ -54,9 +63,8 @@ class ShapeStudy {
     reference.edge = kEdgeRadii * scene_.look().splats().radius_in_spacings() * reference.spacing;
     reference.surface = traceReference(*subject_.surface, makeSight(subject_.camera, size));
     reference.interior = reference.surface.interior((kJudgedMargin + divisor - 1) / divisor, reference.edge);
-    reference.pictureLiquid = divisor == 1
-                                  ? reference.surface.liquid
-                                  : traceReference(*subject_.surface, makeSight(subject_.camera, sweep_.size)).liquid;
+    reference.pictureLiquid = divisor == 1 ? reference.surface.liquid : pictureLiquid();
+    if (divisor == 1) pictureLiquid_ = reference.surface.liquid;
     return reference;
   }
 
@@ -129,6 +137,7 @@ class ShapeStudy {
   const Sweep& sweep_;
   std::vector<std::string>& notes_;
   v1::Scene scene_;
+  std::optional<Mask> pictureLiquid_;
   std::vector<Row> rows_;
 };
 
