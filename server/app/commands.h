@@ -16,6 +16,7 @@ void addServeCommand(CLI::App& program, Command& chosen);
 void addRenderCommand(CLI::App& program, Command& chosen);
 void addSimulateCommand(CLI::App& program, Command& chosen);
 void addPlanCommand(CLI::App& program, Command& chosen);
+void addEvaluateCommand(CLI::App& program, Command& chosen);
 void addScenesCommand(CLI::App& program, Command& chosen);
 void addParametersCommand(CLI::App& program, Command& chosen);
 

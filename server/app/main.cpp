@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
   app::addRenderCommand(program, chosen);
   app::addSimulateCommand(program, chosen);
   app::addPlanCommand(program, chosen);
+  app::addEvaluateCommand(program, chosen);
   app::addScenesCommand(program, chosen);
   app::addParametersCommand(program, chosen);
 

@@ -88,7 +88,7 @@ core::Plan FramePlan::describe() const {
   };
   core::Plan plan;
   for (const PassStep& step : steps) {
-    plan.stages.push_back({step.name, names(step.reads), names(step.writes)});
+    plan.stages.push_back({step.name, names(step.reads), names(step.writes), step.sweeps});
   }
   for (const PictureBuffer& buffer : buffers)
     plan.buffers.push_back({std::string(name(buffer.resource)), buffer.bytes()});
@@ -134,8 +134,8 @@ class Planner {
   void run(Pass pass, std::vector<Resource> reads, std::vector<Resource> writes) {
     run(pass, std::string(name(pass)), std::move(reads), std::move(writes));
   }
-  void run(Pass pass, std::string name, std::vector<Resource> reads, std::vector<Resource> writes) {
-    plan_.steps.push_back({pass, std::move(name), std::move(reads), std::move(writes)});
+  void run(Pass pass, std::string name, std::vector<Resource> reads, std::vector<Resource> writes, int sweeps = 1) {
+    plan_.steps.push_back({pass, std::move(name), std::move(reads), std::move(writes), sweeps});
   }
   void leaveOut(Pass pass, std::string reason) { leaveOut(name(pass), std::move(reason)); }
   void leaveOut(std::string_view what, std::string reason) {
@@ -214,7 +214,7 @@ class Planner {
     plan_.flow = needs.flow;
     plan_.flatRims = needs.flatRims;
     std::ranges::move(needs.leftOut, std::back_inserter(plan_.leftOut));
-    run(Pass::Smoothing, smoothingName(smoothing.method_case()), std::move(reads), std::move(writes));
+    run(Pass::Smoothing, smoothingName(smoothing.method_case()), std::move(reads), std::move(writes), needs.sweeps);
   }
 
   void planThickness() {

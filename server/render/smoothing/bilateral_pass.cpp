@@ -38,7 +38,9 @@ class BilateralPass final : public SmoothingMethod {
 
 }  // namespace
 
-SmoothingPlan planBilateral(const v1::Smoothing&, const SurfaceTraits&) { return {.scratch = true, .mask = true}; }
+SmoothingPlan planBilateral(const v1::Smoothing& smoothing, const SurfaceTraits&) {
+  return {.scratch = true, .mask = true, .sweeps = static_cast<int>(2 * smoothing.bilateral().iterations())};
+}
 
 std::unique_ptr<SmoothingMethod> makeBilateral() { return std::make_unique<BilateralPass>(); }
 

@@ -37,6 +37,7 @@ SmoothingPlan planCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTra
   SmoothingPlan plan{.scratch = true, .mask = true};
   plan.flow = scheduleSteps(smoothing.time() * traits.spacing * traits.spacing, largestStableStep(traits),
                             flow.step_fraction(), flow.max_iterations());
+  plan.sweeps = plan.flow.iterations;
   reportShortfall(plan.flow, plan);
   return plan;
 }

@@ -28,7 +28,11 @@ class ImplicitCurvatureFlowPass final : public SmoothingMethod {
 
 }  // namespace
 
-SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing&, const SurfaceTraits&) { return {.flatRims = true}; }
+SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits&) {
+  // Besides its steps, one to merge splats and the last short one, each along rows and columns.
+  const auto sweeps = static_cast<int>(2 * (smoothing.implicit_curvature_flow().steps() + 2));
+  return {.sweeps = sweeps, .flatRims = true};
+}
 
 std::unique_ptr<SmoothingMethod> makeImplicitCurvatureFlow() { return std::make_unique<ImplicitCurvatureFlowPass>(); }
 

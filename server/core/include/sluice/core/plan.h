@@ -11,6 +11,7 @@ struct PlannedStage {
   std::string name;
   std::vector<std::string> reads;
   std::vector<std::string> writes;
+  int sweeps = 1;  ///< Times that it goes over all of its data: its work.
 
   bool operator==(const PlannedStage&) const = default;
 };

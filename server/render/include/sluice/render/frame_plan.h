@@ -88,6 +88,7 @@ struct PassStep {
   std::string name;
   std::vector<Resource> reads;
   std::vector<Resource> writes;
+  int sweeps = 1;  ///< Times that it goes over its whole picture.
 
   bool operator==(const PassStep&) const = default;
 };

@@ -1,0 +1,132 @@
+#include "features/features_study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <numeric>
+#include <sstream>
+
+#include "features/gates.h"
+#include "machine.h"
+#include "metrics/sight.h"
+#include "sluice/core/input_error.h"
+#include "sluice/gl/context.h"
+#include "sluice/render/fluid_renderer.h"
+#include "sluice/scene/convert.h"
+#include "sluice/scene/scene.h"
+#include "sluice/sources/column_and_sheet.h"
+#include "smoothing/measure.h"
+#include "study_scene.h"
+
+namespace sluice::evaluate {
+
+namespace {
+
+constexpr core::ImageSize kSize{1024, 768};
+
+/// One side of a comparison, with a renderer of its own, so that what it keeps is not lost to the other.
+class Side {
+ public:
+  Side(gl::Context& context, v1::Scene scene, std::string_view assignments, Motion motion)
+      : renderer_(context), scene_(std::move(scene)), motion_(motion) {
+    std::istringstream words{std::string(assignments)};
+    std::vector<std::string> each;
+    for (std::string word; words >> word;) each.push_back(word);
+    scene::assign(scene_, each);
+    camera_ = scene::toCamera(scene_.camera());
+    particles_ = sources::openColumnAndSheet(scene_)->snapshot();
+    particles_->sequence = 1;
+  }
+
+  void draw() {
+    using Clock = std::chrono::steady_clock;
+    if (motion_.camera) camera_ = turned(camera_, kTurnDegrees);
+    if (motion_.particles) ++particles_->sequence;
+    const auto start = Clock::now();
+    renderer_.render(*particles_, scene_.look(), scene_.background(), camera_, kSize);
+    milliseconds_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+  }
+
+  /// Of all frames but the first, which warms up.
+  double milliseconds() const { return median({milliseconds_.begin() + 1, milliseconds_.end()}); }
+
+  std::int64_t bytes() const {
+    const std::vector<core::PlannedBuffer>& buffers = renderer_.plan().buffers;
+    return std::accumulate(buffers.begin(), buffers.end(), std::int64_t{0}, [](std::int64_t sum, const auto& buffer) {
+      return sum + static_cast<std::int64_t>(buffer.bytes);
+    });
+  }
+
+ private:
+  render::FluidRenderer renderer_;
+  v1::Scene scene_;
+  Motion motion_;
+  core::Camera camera_;
+  std::unique_ptr<core::ParticleSnapshot> particles_;
+  std::vector<double> milliseconds_;
+};
+
+std::string describe(std::string_view assignments, Motion motion) {
+  std::string text(assignments);
+  const auto add = [&](const char* words) { text += (text.empty() ? "" : ", ") + std::string(words); };
+  if (motion.camera) add("camera turns");
+  if (motion.particles) add("new particles");
+  if (!motion.camera && !motion.particles) add("all still");
+  return text;
+}
+
+Row measure(gl::Context& context, const Options& options, const Gate& gate) {
+  const v1::Scene scene = shippedScene(options, "column_and_sheet");
+  Side inUse(context, scene, gate.inUse, gate.motionInUse);
+  Side leftOut(context, scene, gate.leftOut, gate.motionLeftOut);
+  const int frames = options.quick ? 7 : 21;
+  // In turn, so that what else the machine does strikes both alike.
+  for (int i = 0; i <= frames; ++i) {
+    inUse.draw();
+    leftOut.draw();
+  }
+  return {{"feature", std::string(gate.feature)},
+          {"in_use", describe(gate.inUse, gate.motionInUse)},
+          {"left_out", describe(gate.leftOut, gate.motionLeftOut)},
+          {"milliseconds_in_use", inUse.milliseconds()},
+          {"milliseconds_left_out", leftOut.milliseconds()},
+          {"ratio", inUse.milliseconds() / std::max(leftOut.milliseconds(), 1e-6)},
+          {"milliseconds_saved", inUse.milliseconds() - leftOut.milliseconds()},
+          {"bytes_in_use", inUse.bytes()},
+          {"bytes_left_out", leftOut.bytes()},
+          {"bytes_saved", inUse.bytes() - leftOut.bytes()}};
+}
+
+}  // namespace
+
+std::vector<std::string> featureParts() {
+  std::vector<std::string> parts;
+  for (const Gate& gate : gates()) parts.emplace_back(gate.feature);
+  return parts;
+}
+
+Report runFeaturesStudy(const Options& options) {
+  const std::unique_ptr<gl::Context> context = gl::Context::create();
+  Report report;
+  Table table{"features", {}};
+  for (const Gate& gate : gates()) {
+    if (!options.only.empty() && options.only != gate.feature) continue;
+    options.tell(std::string(gate.feature));
+    table.rows.push_back(measure(*context, options, gate));
+  }
+  std::string page = "# What leaving out saves\n\ncolumn_and_sheet, 64,000 particles, 1024×768, the default look; " +
+                     machineName(*context) + ". Medians of frames drawn in turn.\n\n";
+  page += toMarkdown(table.rows, {{"feature", "feature"},
+                                  {"in_use", "in use"},
+                                  {"left_out", "left out"},
+                                  {"milliseconds_in_use", "ms in use"},
+                                  {"milliseconds_left_out", "ms left out"},
+                                  {"ratio", "ratio"},
+                                  {"milliseconds_saved", "ms saved"},
+                                  {"bytes_saved", "bytes saved"}});
+  report.documents.push_back({"features.md", std::move(page)});
+  report.tables.push_back(std::move(table));
+  return report;
+}
+
+}  // namespace sluice::evaluate

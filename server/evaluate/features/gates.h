@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace sluice::evaluate {
+
+/// What changes from frame to frame.
+struct Motion {
+  bool camera = false;
+  bool particles = false;  ///< Their positions are the same, but count as new.
+};
+
+/// One thing that a frame may do without. Assignments as with --set, several with a blank between.
+struct Gate {
+  std::string_view feature;
+  std::string_view inUse;
+  std::string_view leftOut;
+  Motion motionInUse;
+  Motion motionLeftOut;
+};
+
+std::span<const Gate> gates();
+
+}  // namespace sluice::evaluate

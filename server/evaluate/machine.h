@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sluice/gl/context.h"
+
+namespace sluice::evaluate {
+
+/// What figures were measured on, in a line: "llvmpipe (…), AMD EPYC, 2 threads".
+std::string machineName(const gl::Context& context);
+
+/// The middle value (the mean of the middle two); 0 for none.
+double median(std::vector<double> values);
+
+}  // namespace sluice::evaluate

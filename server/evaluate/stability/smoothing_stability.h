@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "sluice/evaluate/report.h"
+#include "sluice/evaluate/study.h"
+#include "sluice/render/fluid_renderer.h"
+
+namespace sluice::evaluate {
+
+/// Every smoothing method on the hard depth images and cameras of ALGORITHMS.md G.2; implicit ones up to T = 10⁴ d²;
+/// and explicit ones for 10,000 steps on noise, just within and just beyond their bound. Every case tells its outcome.
+std::vector<Row> smoothingStability(const Options& options);
+
+/// How a picture of inverse depths came out of smoothing.
+struct Outcome {
+  std::string text;    ///< "bounded", or what went wrong.
+  double largest = 1;  ///< Largest factor by which a value leaves the range of those before.
+  bool passed = false;
+};
+
+/// The range may be left by this factor: the flow has no new extremes, but its differences have at silhouettes.
+constexpr double kRangeFactor = 2;
+
+Outcome judgeSmoothed(const render::FloatPicture& before, const render::FloatPicture& after);
+
+}  // namespace sluice::evaluate
