@@ -31,7 +31,7 @@ class ImplicitCurvatureFlowPass final : public SmoothingMethod {
 SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits&) {
   // Besides its steps, one to merge splats and the last short one, each along rows and columns.
   const auto sweeps = static_cast<int>(2 * (smoothing.implicit_curvature_flow().steps() + 2));
-  return {.sweeps = sweeps, .flatRims = true};
+  return {.flatRims = true, .sweeps = sweeps};
 }
 
 std::unique_ptr<SmoothingMethod> makeImplicitCurvatureFlow() { return std::make_unique<ImplicitCurvatureFlowPass>(); }
