@@ -7,18 +7,36 @@
 
 namespace sluice::gl {
 
+namespace {
+
+void readPlainly(GLuint texture) {
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  constexpr std::array<GLfloat, 4> kNothing{};
+  glTextureParameterfv(texture, GL_TEXTURE_BORDER_COLOR, kNothing.data());
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+}
+
+}  // namespace
+
 Texture makeTexture(GLenum internalFormat, core::ImageSize size) {
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &name);
   Texture texture(name);
   glTextureStorage2D(name, 1, internalFormat, size.width, size.height);
-  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  constexpr std::array<GLfloat, 4> kNothing{};
-  glTextureParameterfv(name, GL_TEXTURE_BORDER_COLOR, kNothing.data());
-  glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  readPlainly(name);
   return texture;
+}
+
+Texture makeTextureView(const Texture& texture, GLenum internalFormat) {
+  // A view needs a name that is not a texture yet, which glCreateTextures does not give.
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  Texture view(name);
+  glTextureView(name, GL_TEXTURE_2D, texture.name(), internalFormat, 0, 1, 0, 1);
+  readPlainly(name);
+  return view;
 }
 
 void setBilinear(const Texture& texture) {

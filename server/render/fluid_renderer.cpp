@@ -43,6 +43,7 @@ class FluidRenderer::Impl {
     const SplatScale scale = splatScale(look.splats(), particles.spacing);
 
     clock_.start();
+    if (isLastPicture(particles, look, background, camera, size)) return keepPicture(particles, look, background, size);
     noteParticles(particles);
     const SplatSelection selection =
         selectSplats(particles.positions, model_, view, {scale.radius, scale.nearDepth, maxPointPixels_});
@@ -78,17 +79,13 @@ class FluidRenderer::Impl {
       run(step.pass, frame);
       clock_.lap(step.name);
     }
-    core::Frame picture = readBack(plan, size);
-    clock_.lap("read back");
-
     backgroundOf_ = background;
-    cameraOfBackground_ = camera;
-    for (const core::StageTime& stage : clock_.finish()) {
-      core::addStageTime(picture.tag.stages, stage.name, stage.milliseconds);
-    }
-    picture.tag.snapshotSequence = particles.sequence;
-    picture.tag.simulationTime = particles.time;
-    return picture;
+    lookOf_ = look;
+    cameraOf_ = camera;
+    spacingOf_ = particles.spacing;
+    hasPicture_ = true;
+    pictureIs_ = plan.runs(Pass::Composite) ? Resource::Picture : Resource::Background;
+    return finish(particles, size);
   }
 
   FloatPicture smooth(const FloatPicture& surface, v1::Look look, double spacing, const core::Camera& camera) {
@@ -104,6 +101,7 @@ class FluidRenderer::Impl {
     traits.nearestDepth = largest > 0.0F ? 1.0F / largest : 1.0F;
     const v1::Background background;
     const FramePlan plan = planFrame(look, background, surface.size, traits, {}, device_);
+    hasPicture_ = false;
     targets_.fit(plan);
     setUpGl();
     upload(pictureUniforms_, makeFrameUniforms(view, view, view, scale, plan, look, background));
@@ -130,7 +128,10 @@ class FluidRenderer::Impl {
 
   const core::Plan& plan() const { return plan_; }
 
-  void show(View view) { composite_.show(view); }
+  void show(View view) {
+    composite_.show(view);
+    hasPicture_ = false;
+  }
 
   FloatPicture readBuffer(Resource resource) {
     if (!targets_.has(resource)) return {};
@@ -145,6 +146,31 @@ class FluidRenderer::Impl {
                              "picture size " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                                  " is outside 1x1 to " + std::to_string(maxEdge_) + "x" + std::to_string(maxEdge_));
     }
+  }
+
+  bool isLastPicture(const core::ParticleSnapshot& particles, const v1::Look& look, const v1::Background& background,
+                     const core::Camera& camera, core::ImageSize size) const {
+    return hasPicture_ && particles.sequence != 0 && particles.sequence == sequence_ &&
+           particles.spacing == spacingOf_ && cameraOf_ == camera && targets_.size(Resource::Background) == size &&
+           same(lookOf_, look) && same(backgroundOf_, background);
+  }
+
+  /// The last frame's picture is still there.
+  core::Frame keepPicture(const core::ParticleSnapshot& particles, const v1::Look& look,
+                          const v1::Background& background, core::ImageSize size) {
+    plan_ = planFrame(look, background, size, {}, {.background = true, .picture = true}, device_).describe();
+    return finish(particles, size);
+  }
+
+  core::Frame finish(const core::ParticleSnapshot& particles, core::ImageSize size) {
+    core::Frame picture = readBack(size);
+    clock_.lap("read back");
+    for (const core::StageTime& stage : clock_.finish()) {
+      core::addStageTime(picture.tag.stages, stage.name, stage.milliseconds);
+    }
+    picture.tag.snapshotSequence = particles.sequence;
+    picture.tag.simulationTime = particles.time;
+    return picture;
   }
 
   void noteParticles(const core::ParticleSnapshot& particles) {
@@ -167,8 +193,8 @@ class FluidRenderer::Impl {
   }
 
   ReuseTraits reuse(const v1::Background& background, const core::Camera& camera, core::ImageSize size) const {
-    return {targets_.has(Resource::Background) && targets_.size(Resource::Background) == size &&
-            cameraOfBackground_ == camera && same(backgroundOf_, background)};
+    return {targets_.has(Resource::Background) && targets_.size(Resource::Background) == size && cameraOf_ == camera &&
+            same(backgroundOf_, background)};
   }
 
   void setUpGl() {
@@ -238,12 +264,11 @@ class FluidRenderer::Impl {
     }
   }
 
-  core::Frame readBack(const FramePlan& plan, core::ImageSize size) {
+  core::Frame readBack(core::ImageSize size) {
     core::Frame picture;
     picture.size = size;
     picture.pixels.resize(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-    const Resource source = plan.runs(Pass::Composite) ? Resource::Picture : Resource::Background;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_.framebuffer(source));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_.framebuffer(pictureIs_));
     glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.pixels.data());
     return picture;
   }
@@ -265,7 +290,11 @@ class FluidRenderer::Impl {
   std::uint64_t sequence_ = 0;
   bool newParticles_ = false;
   v1::Background backgroundOf_;
-  core::Camera cameraOfBackground_;
+  v1::Look lookOf_;
+  core::Camera cameraOf_;
+  double spacingOf_ = 0;
+  bool hasPicture_ = false;
+  Resource pictureIs_ = Resource::Picture;
   ShadowMap shadow_;
   bool shadowIsCurrent_ = false;
   bool newShadow_ = false;

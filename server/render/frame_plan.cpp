@@ -70,6 +70,7 @@ std::string_view name(Resource resource) {
 std::uint64_t bytesPerPixel(PixelFormat format) { return format == PixelFormat::Stencil8 ? 1 : 4; }
 
 std::uint64_t PictureBuffer::bytes() const {
+  if (sharedWith) return 0;
   return bytesPerPixel(format) * static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
 }
 
@@ -90,8 +91,11 @@ core::Plan FramePlan::describe() const {
   for (const PassStep& step : steps) {
     plan.stages.push_back({step.name, names(step.reads), names(step.writes), step.sweeps});
   }
-  for (const PictureBuffer& buffer : buffers)
-    plan.buffers.push_back({std::string(name(buffer.resource)), buffer.bytes()});
+  for (const PictureBuffer& buffer : buffers) {
+    std::string label(name(buffer.resource));
+    if (buffer.sharedWith) label += " (in the memory of " + std::string(name(*buffer.sharedWith)) + ")";
+    plan.buffers.push_back({std::move(label), buffer.bytes()});
+  }
   plan.leftOut = leftOut;
   return plan;
 }
@@ -102,6 +106,56 @@ core::ImageSize dividedSize(core::ImageSize size, unsigned divisor) {
 }
 
 namespace {
+
+/// When a buffer holds something: from one step to another, both counted.
+struct Lifetime {
+  std::size_t first;
+  std::size_t last;
+
+  bool meets(const Lifetime& other) const { return first <= other.last && other.first <= last; }
+};
+
+Lifetime lifetimeOf(Resource resource, const std::vector<PassStep>& steps) {
+  // Kept for the next frame, or given away after this one.
+  if (resource == Resource::Background || resource == Resource::Stencil) return {0, steps.size()};
+  Lifetime life{steps.size(), 0};
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto has = [&](const std::vector<Resource>& resources) {
+      return std::ranges::find(resources, resource) != resources.end();
+    };
+    if (!has(steps[i].reads) && !has(steps[i].writes)) continue;
+    life.first = std::min(life.first, i);
+    life.last = i;
+  }
+  const bool isResult =
+      resource == Resource::Picture || resource == Resource::Surface || resource == Resource::Thickness;
+  if (isResult) life.last = steps.size();
+  return life;
+}
+
+/// Lets buffers that never hold anything at the same time use the same memory. A pixel of either format has four bytes.
+void shareMemory(FramePlan& plan) {
+  std::vector<PictureBuffer>& buffers = plan.buffers;
+  for (PictureBuffer& buffer : buffers) {
+    const Lifetime life = lifetimeOf(buffer.resource, plan.steps);
+    const auto fits = [&](const PictureBuffer& other) {
+      if (&other == &buffer || other.sharedWith || other.size != buffer.size ||
+          bytesPerPixel(other.format) != bytesPerPixel(buffer.format)) {
+        return false;
+      }
+      // Everything in that memory has to be out of the way.
+      return std::ranges::none_of(buffers, [&](const PictureBuffer& tenant) {
+        const bool isThere = tenant.resource == other.resource || tenant.sharedWith == other.resource;
+        return isThere && lifetimeOf(tenant.resource, plan.steps).meets(life);
+      });
+    };
+    const bool isOwner =
+        std::ranges::any_of(buffers, [&](const PictureBuffer& other) { return other.sharedWith == buffer.resource; });
+    if (isOwner) continue;
+    const auto found = std::ranges::find_if(buffers, fits);
+    if (found != buffers.end()) buffer.sharedWith = found->resource;
+  }
+}
 
 /// Builds a plan from the top down; one function per part of the frame.
 class Planner {
@@ -118,6 +172,11 @@ class Planner {
   }
 
   FramePlan plan() {
+    if (reuse_.picture) {
+      allocate(Resource::Picture, PixelFormat::Srgb8Alpha8, size_);
+      leaveOut("every pass", "particles, camera and look are those of the last frame");
+      return std::move(plan_);
+    }
     planBackground();
     if (traits_.splats() == 0) {
       leaveOut("liquid", "no particle is in the picture");
@@ -270,7 +329,9 @@ class Planner {
 
 FramePlan planFrame(const v1::Look& look, const v1::Background& background, core::ImageSize size,
                     const DataTraits& traits, const ReuseTraits& reuse, const DeviceTraits& device) {
-  return Planner(look, background, size, traits, reuse, device).plan();
+  FramePlan plan = Planner(look, background, size, traits, reuse, device).plan();
+  shareMemory(plan);
+  return plan;
 }
 
 }  // namespace sluice::render

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "sluice/core/check.h"
 
@@ -46,18 +45,27 @@ void FrameTargets::fit(const FramePlan& plan) {
   const PictureBuffer* stencil = plan.buffer(Resource::Stencil);
   stencil_ =
       stencil == nullptr ? gl::Renderbuffer{} : gl::makeRenderbuffer(internalFormat(stencil->format), stencil->size);
-  for (const PictureBuffer& buffer : plan.buffers) {
-    if (buffer.resource == Resource::Stencil) continue;
-    auto [entry, isNew] = targets_.try_emplace(buffer.resource);
-    Target& target = entry->second;
-    if (isNew) {
-      target.buffer = buffer;
-      target.texture = gl::makeTexture(internalFormat(buffer.format), buffer.size);
-      if (isInterpolated(buffer.resource)) gl::setBilinear(target.texture);
+  // Owners of memory before those who use it.
+  for (const bool shared : {false, true}) {
+    for (const PictureBuffer& buffer : plan.buffers) {
+      if (buffer.resource != Resource::Stencil && buffer.sharedWith.has_value() == shared) make(buffer, stencil);
     }
-    const bool masked = stencil != nullptr && stencil->size == buffer.size && usesStencil(buffer.resource);
-    target.framebuffer = masked ? gl::makeFramebuffer(target.texture, stencil_) : gl::makeFramebuffer(target.texture);
   }
+}
+
+void FrameTargets::make(const PictureBuffer& buffer, const PictureBuffer* stencil) {
+  auto [entry, isNew] = targets_.try_emplace(buffer.resource);
+  Target& target = entry->second;
+  if (isNew || buffer.sharedWith) {
+    const GLenum format = internalFormat(buffer.format);
+    target.buffer = buffer;
+    target.texture = buffer.sharedWith ? gl::makeTextureView(targets_.at(*buffer.sharedWith).texture, format)
+                                       : gl::makeTexture(format, buffer.size);
+    target.newest = Newest::Device;
+    if (isInterpolated(buffer.resource)) gl::setBilinear(target.texture);
+  }
+  const bool masked = stencil != nullptr && stencil->size == buffer.size && usesStencil(buffer.resource);
+  target.framebuffer = masked ? gl::makeFramebuffer(target.texture, stencil_) : gl::makeFramebuffer(target.texture);
 }
 
 FrameTargets::Target& FrameTargets::target(Resource resource) {
@@ -134,14 +142,6 @@ std::span<float> FrameTargets::startAnew(Resource resource) {
 void FrameTargets::clearStencil() {
   constexpr GLint kNoLiquid = 0;
   glClearNamedFramebufferiv(target(Resource::Surface).framebuffer.name(), GL_STENCIL, 0, &kNoLiquid);
-}
-
-void FrameTargets::swap(Resource a, Resource b) {
-  Target& first = target(a);
-  Target& second = target(b);
-  SLUICE_CHECK(first.buffer.format == second.buffer.format && first.buffer.size == second.buffer.size);
-  std::swap(first, second);
-  std::swap(first.buffer.resource, second.buffer.resource);
 }
 
 }  // namespace sluice::render

@@ -37,9 +37,6 @@ class FrameTargets {
   /// The stencil of the surface: no liquid anywhere.
   void clearStencil();
 
-  /// Lets `a` and `b`, which must be alike, change places.
-  void swap(Resource a, Resource b);
-
  private:
   enum class Newest { Both, Device, Memory };
 
@@ -51,6 +48,7 @@ class FrameTargets {
     Newest newest = Newest::Device;
   };
 
+  void make(const PictureBuffer& buffer, const PictureBuffer* stencil);
   Target& target(Resource resource);
   static void toDevice(Target& target);
   static void toMemory(Target& target);

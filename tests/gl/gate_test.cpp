@@ -1,4 +1,6 @@
 // Leaving work out does not change the picture: each gate against a frame that does the work.
+#include <algorithm>
+
 #include "render_test.h"
 
 namespace sluice::testing {
@@ -26,9 +28,41 @@ TEST_F(Gate, KeptBackgroundIsTheSame) {
   EXPECT_EQ(first.pixels, second.pixels);
 }
 
+TEST_F(Gate, KeptPictureIsTheSame) {
+  particles.sequence = 7;
+  const core::Frame first = render(particles, camera, size);
+  const core::Frame kept = render(particles, camera, size);
+  EXPECT_TRUE(renderer.plan().stages.empty());
+  EXPECT_EQ(first.pixels, kept.pixels);
+  look.mutable_liquid()->set_opaque(true);
+  EXPECT_NE(render(particles, camera, size).pixels, kept.pixels);
+  EXPECT_TRUE(ran("composite"));
+}
+
+TEST_F(Gate, BuffersThatShareMemoryDoNotDisturbEachOther) {
+  // The to and fro of a filter lies in the memory of the picture, which is drawn later, over many frames.
+  look.mutable_smoothing()->mutable_bilateral();
+  scene::complete(look);
+  const core::Frame first = render(particles, camera, size);
+  const auto shares = [](const core::PlannedBuffer& buffer) {
+    return buffer.name.find("in the memory of") != std::string::npos;
+  };
+  EXPECT_TRUE(std::ranges::any_of(renderer.plan().buffers, shares));
+  look.mutable_smoothing()->mutable_implicit_curvature_flow();
+  scene::complete(look);
+  render(particles, camera, size);
+  look.mutable_smoothing()->mutable_bilateral();
+  scene::complete(look);
+  EXPECT_EQ(first.pixels, render(particles, camera, size).pixels);
+  EXPECT_EQ(first.pixels, render(particles, camera, size).pixels);
+}
+
 TEST_F(Gate, KeptShadowIsTheSame) {
   particles.sequence = 1;
   const core::Frame first = render(particles, camera, size);
+  look.mutable_liquid()->set_specular(0.999);
+  render(particles, camera, size);
+  look.mutable_liquid()->set_specular(1);
   const core::Frame kept = render(particles, camera, size);
   particles.sequence = 2;
   const core::Frame again = render(particles, camera, size);

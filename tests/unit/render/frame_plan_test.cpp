@@ -99,6 +99,28 @@ TEST_F(FramePlanTest, KeptBackgroundIsNotDrawnAgain) {
   EXPECT_NE(p.buffer(Resource::Background), nullptr);
 }
 
+TEST_F(FramePlanTest, KeptPictureNeedsNothing) {
+  reuse.picture = true;
+  const FramePlan p = plan();
+  EXPECT_TRUE(p.steps.empty());
+  EXPECT_THAT(p.leftOut, names("every pass"));
+}
+
+TEST_F(FramePlanTest, BuffersThatNeverMeetShareMemory) {
+  look.mutable_smoothing()->mutable_bilateral();
+  scene::complete(look);
+  const FramePlan p = plan();
+  // The scratch is done with before the picture is begun.
+  const PictureBuffer* const scratch = p.buffer(Resource::SurfaceScratch);
+  const PictureBuffer* const picture = p.buffer(Resource::Picture);
+  ASSERT_NE(scratch, nullptr);
+  EXPECT_TRUE(scratch->sharedWith == Resource::Picture || picture->sharedWith == Resource::SurfaceScratch);
+  EXPECT_EQ(scratch->bytes() + picture->bytes(), 4U * 640 * 480);
+  // What is kept for the next frame shares with nobody.
+  EXPECT_FALSE(p.buffer(Resource::Background)->sharedWith);
+  EXPECT_FALSE(p.buffer(Resource::Surface)->sharedWith);
+}
+
 TEST_F(FramePlanTest, ShadowNeedsFloorAndStrength) {
   background.set_floor(false);
   EXPECT_FALSE(plan().runs(Pass::GroundShadow));

@@ -76,6 +76,9 @@ using Buffer = Object<BufferTraits>;
 /// One level, without filtering between texels; reads outside the picture give 0.
 Texture makeTexture(GLenum internalFormat, core::ImageSize size);
 
+/// The memory of a texture read and drawn as another format of as many bytes. Either may be deleted first.
+Texture makeTextureView(const Texture& texture, GLenum internalFormat);
+
 /// Between texels, reads are interpolated; outside the picture they repeat its edge.
 void setBilinear(const Texture& texture);
 

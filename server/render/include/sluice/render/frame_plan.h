@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,7 +64,7 @@ struct DataTraits {
 /// What stayed valid since the frame before.
 struct ReuseTraits {
   bool background = false;
-  bool shadowMap = false;
+  bool picture = false;  ///< The whole picture: nothing has moved or changed.
 };
 
 /// What the device does well.
@@ -101,7 +102,10 @@ struct PictureBuffer {
   Resource resource;
   PixelFormat format;
   core::ImageSize size;
+  /// The buffer whose memory this one uses, because the two never hold anything at the same time.
+  std::optional<Resource> sharedWith = {};
 
+  /// 0 where the memory is another buffer's.
   std::uint64_t bytes() const;
   bool operator==(const PictureBuffer&) const = default;
 };
