@@ -1,6 +1,7 @@
 #include "smoothing/shape_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "metrics/surface_error.h"
@@ -75,10 +76,10 @@ class ShapeStudy {
       // Work grows with T at most linearly: by that a case is known to be too long before it has run.
       const double expected = lastMilliseconds * std::max(1.0, strength / lastStrength);
       if (expected > sweep_.longestMilliseconds) {
-        notes_.push_back(subject_.name + ": " + method.name + " at T = " + shortText(strength) + " d², 1/" +
-                         std::to_string(divisor) + " resolution, is left out: a frame would take about " +
-                         shortText(expected) + " ms");
-        continue;
+        notes_.push_back(subject_.name + ": " + method.name + " from T = " + shortText(strength) + " d² on, at 1/" +
+                         std::to_string(divisor) + " of the resolution, is left out: a frame would take " +
+                         shortText(std::round(expected)) + " ms and more");
+        break;
       }
       v1::Smoothing smoothing = scene_.look().smoothing();
       chooseMethod(smoothing, method.name);
