@@ -26,7 +26,7 @@ struct RowTerms {
   float rowMiddle;        ///< c_y·W_y + c_z.
 };
 
-inline RowTerms rowTerms(const ViewSphere& sphere, float squaredRadius, float slopeY) {
+[[gnu::always_inline]] inline RowTerms rowTerms(const ViewSphere& sphere, float squaredRadius, float slopeY) {
   const float ey = sphere.y - sphere.z * slopeY;
   return {sphere.x,
           sphere.y,
@@ -37,7 +37,7 @@ inline RowTerms rowTerms(const ViewSphere& sphere, float squaredRadius, float sl
           sphere.y * slopeY + sphere.z};
 }
 
-inline float discriminant(const RowTerms& row, float slopeX) {
+[[gnu::always_inline]] inline float discriminant(const RowTerms& row, float slopeX) {
   const float ex = row.cx - row.cz * slopeX;
   const float cross = row.rowCross - row.cy * slopeX;
   return row.rowDiscriminant + row.squaredRadius * slopeX * slopeX - ex * ex - cross * cross;

@@ -19,7 +19,7 @@ struct LocalFlow {
 
 /// 1 where |z − z_j| ≤ edge, as in surface.glsl, else 0. No liquid, 0, is on no surface but that of no liquid. Numbers
 /// instead of truth values: products of them become vector code, branches do not.
-inline float onOneSurface(float reach, float q, float neighbour) {
+[[gnu::always_inline]] inline float onOneSurface(float reach, float q, float neighbour) {
   return std::abs(neighbour - q) <= reach * neighbour ? 1.0F : 0.0F;
 }
 
@@ -28,7 +28,7 @@ struct Links {
   float w, e, n, s, corners;
 };
 
-inline Links linksOf(const RowAndNeighbours& rows, int i, float edge) {
+[[gnu::always_inline]] inline Links linksOf(const RowAndNeighbours& rows, int i, float edge) {
   const float q = rows.q[i];
   const float reach = edge * q;
   return {onOneSurface(reach, q, rows.q[i - 1]), onOneSurface(reach, q, rows.q[i + 1]),
@@ -38,7 +38,8 @@ inline Links linksOf(const RowAndNeighbours& rows, int i, float edge) {
 }
 
 /// Second differences, and what the links say, for any mobility.
-inline LocalFlow linkedFlow(const RowAndNeighbours& rows, int i, const Links& has, float a11, float a12, float a22) {
+[[gnu::always_inline]] inline LocalFlow linkedFlow(const RowAndNeighbours& rows, int i, const Links& has, float a11,
+                                                   float a12, float a22) {
   LocalFlow flow;
   flow.a11 = a11;
   flow.a22 = a22;
@@ -56,7 +57,7 @@ inline LocalFlow linkedFlow(const RowAndNeighbours& rows, int i, const Links& ha
 }
 
 /// A = ½ (q³/|N|) [I + W Wᵀ − b bᵀ/|N|²],  N = (q_X, q_Y, q − W·∇q),  b = ∇q − W·N_3.
-inline LocalFlow localFlow(const FlowRow& row, int i, float scale, float perPixel, float edge) {
+[[gnu::always_inline]] inline LocalFlow localFlow(const FlowRow& row, int i, float scale, float perPixel, float edge) {
   const Links has = linksOf(row.surface, i, edge);
   const float q = row.oriented.q[i];
   // Slopes with ghost values 2q − q_opposite across a silhouette, and q where both neighbours are gone.
@@ -84,7 +85,7 @@ inline LocalFlow localFlow(const FlowRow& row, int i, float scale, float perPixe
 }
 
 /// The same with A = ½q²·I.
-inline LocalFlow facingFlow(const FlowRow& row, int i, float scale, float edge) {
+[[gnu::always_inline]] inline LocalFlow facingFlow(const FlowRow& row, int i, float scale, float edge) {
   const float q = row.surface.q[i];
   const float mobility = scale * q * q;
   return linkedFlow(row.surface, i, linksOf(row.surface, i, edge), mobility, 0.0F, mobility);
@@ -183,9 +184,23 @@ void closeGap(float* q, std::ptrdiff_t step, int widest, float edge) {
   }
 }
 
-SLUICE_SIMD_CLONES void addChange(float* __restrict q, const float* __restrict change, RowSpan span) {
+SLUICE_SIMD_CLONES void widen(DepthRange& range, const float* __restrict q, RowSpan span) {
+  DepthRange found = range;
+  for (int i = span.first; i < span.last; ++i) {
+    found.least = std::min(found.least, q[i] > 0.0F ? q[i] : found.least);
+    found.largest = std::max(found.largest, q[i]);
+  }
+  range = found;
+}
+
+SLUICE_SIMD_CLONES void addChange(float* __restrict q, const float* __restrict change, RowSpan span,
+                                  const DepthRange& range) {
+  const DepthRange limits = range;
 #pragma GCC ivdep
-  for (int i = span.first; i < span.last; ++i) q[i] = std::min(std::max(q[i] + change[i], 0.5F * q[i]), 2.0F * q[i]);
+  for (int i = span.first; i < span.last; ++i) {
+    const float moved = std::min(std::max(q[i] + change[i], limits.least), limits.largest);
+    q[i] = std::min(std::max(moved, 0.5F * q[i]), 2.0F * q[i]);
+  }
 }
 
 SLUICE_SIMD_CLONES void solveInterleavedRows(const float* __restrict before, float* __restrict after,

@@ -42,9 +42,10 @@ void flowAlongColumn(const FlowRow& row, float timeStep, float edge, float* coef
 /// each other.
 constexpr int kLeastEndReach = 2;
 
-/// Of the mobility at an end, at most this much counts: the neighbour inside then weighs four times as much as the end
-/// itself. More would let lines drift when the step is very long.
-constexpr float kLargestEndLink = 4.0F;
+/// Of the mobility at an end, at most this much counts: the neighbour inside then weighs as much as the end itself.
+/// More would let lines drift when the step is very long: with 1 noise on a line of any length grows by a quarter at
+/// most.
+constexpr float kLargestEndLink = 1.0F;
 
 /// How the end of a line moves: with the slope that the surface has inside, q tends to what that slope makes of the
 /// neighbour. A plane's end stays where it is.
@@ -88,9 +89,18 @@ void markGaps(const float* q, const float* neighbour, float edge, float* marks, 
 /// memory, and all between lies behind it, those pixels are put onto it. What lies between may not be background.
 void closeGap(float* q, std::ptrdiff_t step, int widest, float edge);
 
-/// q += change in one row. A change beyond a factor of two is cut: the mixed term, which alone is explicit, can ask for
-/// it next to a cliff.
-void addChange(float* q, const float* change, RowSpan span);
+/// The inverse depths of a picture's liquid lie in [least, largest].
+struct DepthRange {
+  float least;
+  float largest;
+};
+
+/// Takes the liquid of one row into the range.
+void widen(DepthRange& range, const float* q, RowSpan span);
+
+/// q += change in one row, at most by a factor of two, and never out of the range of the whole surface: curvature flow
+/// makes no new extremes, but the mixed term, which alone is explicit, and the ends of lines may ask for them.
+void addChange(float* q, const float* change, RowSpan span, const DepthRange& range);
 
 /// Solves (1 + b_i + a_i) x_i − b_i x_{i−1} − a_i x_{i+1} = r_i, b linking to the pixel before and a to the one after,
 /// for kLanes rows at once, in place of r. Element i of lane l is at [i·kLanes + l]; beyond the ends x is 0.

@@ -1,6 +1,7 @@
 #include "smoothing/implicit_curvature_flow.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "sluice/core/check.h"
@@ -89,7 +90,11 @@ void ImplicitCurvatureFlow::smooth(std::span<float> q, core::ImageSize size, con
   const auto source = [&](int y) {
     return q.data() + static_cast<std::size_t>(y + window.top) * static_cast<std::size_t>(size.width) + window.left;
   };
-  for (int y = 0; y < height_; ++y) std::copy_n(source(y), width_, picture_.row(y));
+  range_ = {std::numeric_limits<float>::max(), 0.0F};
+  for (int y = 0; y < height_; ++y) {
+    std::copy_n(source(y), width_, picture_.row(y));
+    widen(range_, picture_.row(y), window.spans[static_cast<std::size_t>(y)]);
+  }
   if (settings.widestGap > 0.0F) closeGaps(window, settings);
   orient(window, settings, size);
   // The end of every line moves by itself, and a long step carries what sets it apart from its neighbours far inside: a
@@ -205,7 +210,7 @@ void ImplicitCurvatureFlow::smoothRows(const Window& window, const Step& step) {
         const RowSpan span = window.spans[static_cast<std::size_t>(top + l)];
         float* const change = rightSide_.row(top + l);
         for (int i = span.first; i < span.last; ++i) change[i] = rightSide[i * kLanes + l];
-        addChange(picture_.row(top + l), change, span);
+        addChange(picture_.row(top + l), change, span, range_);
       }
     }
   }
@@ -249,7 +254,7 @@ void ImplicitCurvatureFlow::smoothColumns(const Window& window, const Step& step
       for (int y = height_ - 1; y >= 0; --y) {
         const RowSpan span = part(window, y, chunk);
         substituteUp(after_.row(y), rightSide_.row(y), rightSide_.row(y + 1), span.first, span.last);
-        addChange(picture_.row(y), rightSide_.row(y), span);
+        addChange(picture_.row(y), rightSide_.row(y), span, range_);
       }
     }
   }

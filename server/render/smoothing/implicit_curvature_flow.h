@@ -75,6 +75,7 @@ class ImplicitCurvatureFlow {
 
   int width_ = 0;
   int height_ = 0;
+  DepthRange range_;
   PaddedField picture_;
   PaddedField oriented_;
   PaddedField before_;  ///< Links to the pixel before along the axis at hand, Δt·A/C².

@@ -27,7 +27,7 @@ struct SmoothingPlan {
   /// Asks for splats whose limbs are flat: the surface of a splat ends at its rim up to a radius behind its front, far
   /// deeper than where splats meet inside the liquid, and silhouettes would show every single one.
   bool flatRims = false;
-  int sweeps = 1;        ///< Times that it goes over the whole surface, along rows and along columns counted apart.
+  int sweeps = 1;  ///< Times that it goes over the whole surface, along rows and along columns counted apart.
   FlowSchedule flow = {};
   std::vector<core::LeftOut> leftOut = {};
 };
