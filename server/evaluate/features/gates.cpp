@@ -11,7 +11,7 @@ constexpr Motion kSimulation{.camera = false, .particles = true};
 constexpr Motion kBoth{.camera = true, .particles = true};
 constexpr Motion kStill{};
 
-// ALGORITHMS.md G.3, as far as it is about the surface and its picture.
+// What may be left out, as far as it is about the surface and its picture.
 constexpr std::array kGates{
     Gate{"thickness and refraction", "", "look.liquid.opaque=true", kFlyBy, kFlyBy},
     Gate{"smoothing of the thickness", "", "look.thickness.smoothing_in_spacings=0", kFlyBy, kFlyBy},

@@ -5,7 +5,7 @@
 namespace sluice::evaluate {
 
 Mask ReferencePicture::interior(int margin, double edge) const {
-  // What is steeper is seen along itself, where a pixel's depth says little about the surface (ALGORITHMS.md C.8).
+  // What is steeper is seen along itself, where a pixel's depth says little about the surface.
   constexpr float kLeastCosine = 0.3F;
   Mask mask(sight.size);
   const auto [width, height] = sight.size;

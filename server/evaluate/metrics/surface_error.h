@@ -8,7 +8,7 @@
 
 namespace sluice::evaluate {
 
-/// How far a picture of inverse depths is from the surface that it shows (ALGORITHMS.md C.8).
+/// How far a picture of inverse depths is from the surface that it shows.
 struct SurfaceError {
   double depthRmseSpacings = 0;          ///< Distance from the true surface along its normal, in d.
   double depthRmseUnbiasedSpacings = 0;  ///< The same without its median, most of which is that splats are larger than
@@ -33,7 +33,7 @@ struct Reference {
   double spacing = 0;  ///< d, m.
 };
 
-/// Pixels of the picture between what is judged and the next edge (ALGORITHMS.md C.8).
+/// Pixels of the picture between what is judged and the next edge.
 constexpr int kJudgedMargin = 12;
 
 SurfaceError compareSurface(const std::vector<float>& q, const SurfaceGeometry& geometry, const Reference& reference);

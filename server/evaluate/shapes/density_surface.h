@@ -12,7 +12,7 @@
 namespace sluice::evaluate {
 
 /// The surface of any cloud of particles, as a level set of its SPH volume fraction f(x) = Σ d³ W(x − x_j): the line of
-/// sight is walked in steps of d/10 and the crossing found by bisection (ALGORITHMS.md C.8). The level is ½, which a
+/// sight is walked in steps of d/10 and the crossing found by bisection. The level is ½, which a
 /// half-space of particles on a lattice has half a spacing outside its outermost centres, where its liquid ends.
 class DensitySurface : public Surface {
  public:

@@ -34,7 +34,7 @@ class Plane : public Shape {
 
 }  // namespace
 
-// The normal of ALGORITHMS.md C.7, which has y down and z forwards.
+// A tilted normal; it has y down and z forwards.
 std::unique_ptr<Shape> makeTiltedPlane() {
   return std::make_unique<Plane>("plane", Eigen::Vector3d(-0.7, 0.3, 1.0).normalized());
 }

@@ -42,7 +42,7 @@ std::unique_ptr<Shape> makeTwoSpheres();
 /// All of the above.
 std::vector<std::unique_ptr<Shape>> makeShapes();
 
-/// d, m: 8 to 10 pixels from 4 to 3 m away at 256² and 45° (ALGORITHMS.md C.7).
+/// d, m: 8 to 10 pixels from 4 to 3 m away at 256² and 45°.
 constexpr double kShapeSpacing = 0.1;
 
 /// At the origin, looking along −z, its target in the shapes' middle.

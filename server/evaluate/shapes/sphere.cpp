@@ -5,7 +5,7 @@ namespace sluice::evaluate {
 
 namespace {
 
-/// The sphere of ALGORITHMS.md C.7: R = 10 d, a little off the middle of the picture.
+/// A sphere of R = 10 d, a little off the middle of the picture.
 class Sphere : public Shape {
  public:
   std::string_view name() const override { return "sphere"; }

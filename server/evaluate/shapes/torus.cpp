@@ -46,7 +46,7 @@ class Torus : public Shape {
     const double height = local.dot(axis_);
     const Eigen::Vector3d outwards = (local - height * axis_).normalized();
     const Eigen::Vector3d normal = (local - kRing * outwards).normalized();
-    // −(R0 + 2r cosθ)/(r(R0 + r cosθ)), θ from the outer equator (ALGORITHMS.md C.1).
+    // −(R0 + 2r cosθ)/(r(R0 + r cosθ)), θ from the outer equator.
     const double cosine = normal.dot(outwards);
     const double curvature = -(kRing + 2 * kTube * cosine) / (kTube * (kRing + kTube * cosine));
     return {distance, normal, curvature};

@@ -8,7 +8,7 @@
 
 namespace sluice::evaluate {
 
-/// Particles and a camera that stands badly for them (ALGORITHMS.md G.2).
+/// Particles and a camera that stands badly for them.
 struct CameraCase {
   std::string name;
   core::ParticleSnapshot particles;

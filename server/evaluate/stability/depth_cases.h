@@ -8,7 +8,7 @@
 
 namespace sluice::evaluate {
 
-/// A picture of inverse depths that is hard on a smoothing method (ALGORITHMS.md G.2).
+/// A picture of inverse depths that is hard on a smoothing method.
 struct DepthCase {
   std::string name;
   render::FloatPicture surface;
