@@ -5,7 +5,7 @@ layout(std140, binding = 0) uniform FrameUniforms {
   vec4 downAndSlope;       // axis y; largest |W_y|
   vec4 forwardAndPixel;    // axis z; pixel slope C
   vec4 pictureSize;        // width, height; 1/width, 1/height
-  vec4 splat;              // radius R, m; volume factor κ; spacing d, m; depth of flat rims, R, or 0
+  vec4 splat;              // radius R, m; radius of a drop of spray, m; spacing d, m; depth of flat rims, R, or 0
   vec4 floorAndHaze;       // height, m; tile, m; 1 with a floor, else 0; haze distance, m
   vec4 tileLight;
   vec4 tileDark;

@@ -1,27 +1,38 @@
-// Inverse depth of the sphere's front. Blended with MAX, so that the nearest sphere stays; a miss adds nothing.
+// Inverse depth of the splat's front. Blended with MAX, so that the nearest stays; a miss adds nothing.
 #include "frame_uniforms.glsl"
-#include "sphere.glsl"
+#include "splat_shape.glsl"
 
-flat in vec4 sphere;
+flat in Shape shape;
 out float inverseDepth;
 
 void main() {
-  Crossing crossing = crossingAlong(slopeAt(gl_FragCoord.xy), sphere);
+#ifdef DISC
+  // At the centre's depth, parallel to the picture.
+  vec2 e = shape.sphere.xy - shape.sphere.z * slopeAt(gl_FragCoord.xy);
+  bool hit = dot(e, e) <= shape.sphere.w * shape.sphere.w && shape.sphere.z >= frame.eyeAndNear.w;
+  float entry = 1.0 / shape.sphere.z;
+#else
+  Crossing crossing = crossingAlong(slopeAt(gl_FragCoord.xy), shape);
   float root = sqrt(max(crossing.squaredHalf, 0.0));
   bool hit = crossing.squaredHalf >= 0.0;
 #ifdef LARGE
-  // A sphere that reaches before the near depth is cut off there; one that ends before it is not seen. The eye may be
-  // inside, where the product of both depths is negative: 1/z of the entry is a/(m − √D).
+  // What reaches before the near depth is cut off there; what ends before it is not seen. The eye may be inside, where
+  // the product of both depths is negative: 1/z of the entry is a/(m − √D).
   float nearest = 1.0 / frame.eyeAndNear.w;
   float entry = crossing.middle - root > 0.0 ? min(crossing.a / (crossing.middle - root), nearest) : nearest;
   hit = hit && crossing.middle + root > crossing.a * frame.eyeAndNear.w;
 #else
-  float entry = (crossing.middle + root) / (dot(sphere.xyz, sphere.xyz) - sphere.w * sphere.w);
+  float entry = (crossing.middle + root) / crossing.room;
 #endif
-  // Flat rims: see kRimDepth in frame_plan.h.
-  float rim = frame.splat.w > 0.0 ? 1.0 / (sphere.z - frame.splat.w * sphere.w) : 0.0;
+  // Flat rims, see rimOf in splat_rows.h; none where the eye is inside.
+  if (frame.splat.w > 0.0 && crossing.room > 0.0) {
+    float squared = crossing.room + crossing.unit;
+    float rim = crossing.middle / (squared - frame.splat.w * sqrt(squared * crossing.unit));
 #ifdef LARGE
-  rim = sphere.z - frame.splat.w * sphere.w > frame.eyeAndNear.w ? rim : 0.0;
+    rim = min(rim, nearest);
 #endif
-  inverseDepth = hit ? max(entry, rim) : 0.0;
+    entry = max(entry, rim);
+  }
+#endif
+  inverseDepth = hit ? entry : 0.0;
 }

@@ -1,22 +1,23 @@
-// Length of the line of sight inside the sphere, summed by blending. Overlapping spheres hold more than the liquid's
-// volume; the factor κ = V/(4/3·πR³) makes the sum over the picture the liquid's volume again.
+// Length of the line of sight inside the splat, summed by blending. Overlapping splats hold more than the liquid's
+// volume; the factor κ, a particle's volume over its splat's, makes the sum over the picture the liquid's volume again.
 #include "frame_uniforms.glsl"
-#include "sphere.glsl"
+#include "splat_shape.glsl"
 
-flat in vec4 sphere;
+flat in Shape shape;
 out float thickness;
 
 void main() {
-  Crossing crossing = crossingAlong(slopeAt(gl_FragCoord.xy), sphere);
+  vec2 W = slopeAt(gl_FragCoord.xy);
+  Crossing crossing = crossingAlong(W, shape);
   float root = sqrt(max(crossing.squaredHalf, 0.0));
-  // Difference of depths, times a: 2√D, or less where the sphere is cut at the near depth.
+  // Difference of depths, times a: 2√D, or less where the splat is cut at the near depth.
   float depth = 2.0 * root;
 #ifdef LARGE
   float near = crossing.a * frame.eyeAndNear.w;
   depth = max(crossing.middle + root - max(crossing.middle - root, near), 0.0);
 #endif
-  // A sphere of another radius than the usual one still holds the same volume.
-  float widened = frame.splat.x / sphere.w;
-  // (Δz)·√a is the length along the line of sight.
-  thickness = frame.splat.y * widened * widened * widened * depth * inversesqrt(crossing.a);
+  float spacing = frame.splat.z;
+  float perVolume = spacing * spacing * spacing / volumeOf(shape);
+  // Δz·√(1+|W|²) is the length along the line of sight.
+  thickness = perVolume * depth * length(vec3(W, 1.0)) / crossing.a;
 }

@@ -7,15 +7,19 @@
 namespace sluice::render {
 
 /// What a plan needs to know of the splats that were selected for a picture.
-inline DataTraits dataTraits(const SplatSelection& selection, const SplatScale& scale, const ViewGeometry& view) {
+inline DataTraits dataTraits(const core::ParticleSnapshot& particles, const SplatSelection& selection,
+                             const SplatScale& scale, const ViewGeometry& view) {
   DataTraits traits;
   traits.spacing = scale.spacing;
   traits.points = selection.points.size();
-  traits.hiddenPoints = selection.points.size() - selection.visiblePoints;
+  traits.hiddenPoints = selection.points.size() - selection.visible.size();
   traits.interiorPoints = selection.interiorPoints;
   traits.largeSplats = selection.large.size();
+  traits.sprayDrops = selection.spray.size();
   traits.nearestDepth = selection.nearestDepth;
   traits.pixelSlope = view.pixelSlope;
+  traits.densities = !particles.densities.empty();
+  traits.neighbourCounts = !particles.neighbours.empty();
   return traits;
 }
 

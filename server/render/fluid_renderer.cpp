@@ -3,6 +3,7 @@
 #include <google/protobuf/util/message_differencer.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "data_traits.h"
@@ -26,8 +27,8 @@ bool same(const Message& a, const Message& b) {
 
 class FluidRenderer::Impl {
  public:
-  explicit Impl(gl::Context& context)
-      : device_{context.isSoftware()},
+  Impl(gl::Context& context, const RendererOptions& options)
+      : device_{context.isSoftware() && !options.asOnGpu},
         clock_(context.isSoftware()),
         emptyArray_(gl::makeVertexArray()),
         maxPointPixels_(maxPointPixels()) {
@@ -45,11 +46,12 @@ class FluidRenderer::Impl {
     clock_.start();
     if (isLastPicture(particles, look, background, camera, size)) return keepPicture(particles, look, background, size);
     noteParticles(particles);
-    const SplatSelection selection =
-        selectSplats(particles.positions, model_, view, {scale.radius, scale.nearDepth, maxPointPixels_});
+    modelSplats(particles, look.splats());
+    const SplatSelection selection = selectSplats(particles.positions, model_, view,
+                                                  {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels_});
     clock_.lap(name(Pass::SelectSplats));
-    const FramePlan plan =
-        planFrame(look, background, size, dataTraits(selection, scale, view), reuse(background, camera, size), device_);
+    const FramePlan plan = planFrame(look, background, size, dataTraits(particles, selection, scale, view),
+                                     reuse(background, camera, size), device_);
     plan_ = plan.describe();
     targets_.fit(plan);
 
@@ -67,6 +69,7 @@ class FluidRenderer::Impl {
                              scale,
                              look,
                              background,
+                             model_.shape,
                              selection,
                              targets_,
                              splats_,
@@ -84,7 +87,7 @@ class FluidRenderer::Impl {
     cameraOf_ = camera;
     spacingOf_ = particles.spacing;
     hasPicture_ = true;
-    pictureIs_ = plan.runs(Pass::Composite) ? Resource::Picture : Resource::Background;
+    pictureIs_ = plan.buffer(Resource::Picture) != nullptr ? Resource::Picture : Resource::Background;
     return finish(particles, size);
   }
 
@@ -113,6 +116,7 @@ class FluidRenderer::Impl {
                              scale,
                              look,
                              background,
+                             SplatShape::Sphere,
                              {},
                              targets_,
                              splats_,
@@ -130,6 +134,7 @@ class FluidRenderer::Impl {
 
   void show(View view) {
     composite_.show(view);
+    spray_.show(view);
     hasPicture_ = false;
   }
 
@@ -179,17 +184,43 @@ class FluidRenderer::Impl {
     sequence_ = particles.sequence;
   }
 
+  void modelSplats(const core::ParticleSnapshot& particles, const v1::Splats& splats) {
+    if (!newParticles_ && same(splatsOfModel_, splats)) return;
+    model_ = makeSplatModel(particles, splats, model_);
+    splatsOfModel_ = splats;
+    clock_.lap("model splats");
+  }
+
   void uploadSplats(const FramePlan& plan, const core::ParticleSnapshot& particles, const SplatSelection& selection,
                     const ViewGeometry& view, const SplatScale& scale) {
-    if (!device_.software) splats_.uploadPoints(selection.spheres);
-    if (!plan.runs(Pass::LargeSplats)) return;
-    std::vector<ViewSphere> large;
-    large.reserve(selection.large.size());
-    for (const std::uint32_t index : selection.large) {
+    const auto sphere = [&](std::uint32_t index, float radius) {
       const Eigen::Vector3f centre = view.toView(particles.positions[index]);
-      large.push_back({centre.x(), centre.y(), centre.z(), model_.radius(index, scale.radius)});
+      return ViewSphere{centre.x(), centre.y(), centre.z(), radius};
+    };
+    const bool ellipsoids = model_.shape == SplatShape::Ellipsoid;
+    const auto uploadPoints = [&](SplatArray& array, const SplatList& list) {
+      ellipsoids ? array.upload(list.ellipsoids) : array.upload(list.spheres);
+    };
+    if (!device_.software && plan.runs(Pass::Splats)) uploadPoints(splats_.visible, selection.visible);
+    if (!device_.software && plan.runs(Pass::Thickness)) uploadPoints(splats_.points, selection.points);
+    if (plan.runs(Pass::LargeSplats) && ellipsoids) {
+      std::vector<ViewEllipsoid> large;
+      for (const std::uint32_t index : selection.large) large.push_back(toView(model_.ellipsoids[index], view));
+      splats_.large.upload(large);
+    } else if (plan.runs(Pass::LargeSplats)) {
+      std::vector<ViewSphere> large;
+      for (const std::uint32_t index : selection.large) {
+        large.push_back(sphere(index, model_.radius(index, scale.radius)));
+      }
+      splats_.large.upload(large);
     }
-    splats_.uploadLarge(large);
+    if (plan.runs(Pass::Spray)) {
+      std::vector<ViewSphere> drops;
+      for (const std::uint32_t index : selection.spray) drops.push_back(sphere(index, scale.dropRadius));
+      // The farthest first: each is drawn over those behind it.
+      std::ranges::stable_sort(drops, std::greater{}, &ViewSphere::z);
+      splats_.spray.upload(drops);
+    }
   }
 
   ReuseTraits reuse(const v1::Background& background, const core::Camera& camera, core::ImageSize size) const {
@@ -259,6 +290,9 @@ class FluidRenderer::Impl {
       case Pass::BlendLiquid:
         blendLiquid_.run(frame);
         break;
+      case Pass::Spray:
+        spray_.run(frame);
+        break;
       default:
         break;
     }
@@ -281,6 +315,7 @@ class FluidRenderer::Impl {
 
   FrameTargets targets_;
   SplatModel model_;
+  v1::Splats splatsOfModel_;
   SplatBuffers splats_;
   SplatRaster raster_;
   gl::StreamBuffer pictureUniforms_;
@@ -308,9 +343,11 @@ class FluidRenderer::Impl {
   SmoothThicknessPass smoothThickness_;
   CompositePass composite_;
   BlendLiquidPass blendLiquid_;
+  SprayPass spray_;
 };
 
-FluidRenderer::FluidRenderer(gl::Context& context) : impl_(std::make_unique<Impl>(context)) {}
+FluidRenderer::FluidRenderer(gl::Context& context, const RendererOptions& options)
+    : impl_(std::make_unique<Impl>(context, options)) {}
 FluidRenderer::~FluidRenderer() = default;
 
 core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const v1::Look& look,

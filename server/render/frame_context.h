@@ -21,6 +21,7 @@ struct FrameContext {
   const SplatScale& scale;
   const v1::Look& look;
   const v1::Background& background;
+  SplatShape shape;
   const SplatSelection& selection;
   FrameTargets& targets;
   SplatBuffers& splats;

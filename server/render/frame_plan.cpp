@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "interior_particles.h"
 #include "smoothing/smoothing_method.h"
 
 namespace sluice::render {
@@ -33,6 +34,8 @@ std::string_view name(Pass pass) {
       return "composite";
     case Pass::BlendLiquid:
       return "blend liquid";
+    case Pass::Spray:
+      return "spray";
   }
   return "";
 }
@@ -180,12 +183,14 @@ class Planner {
     planBackground();
     if (traits_.splats() == 0) {
       leaveOut("liquid", "no particle is in the picture");
+      if (traits_.sprayDrops > 0) run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});
     } else {
       planSplats();
       planSmoothing();
       planThickness();
       planComposite();
     }
+    planSpray();
     return std::move(plan_);
   }
 
@@ -211,7 +216,7 @@ class Planner {
     } else {
       run(Pass::Background, {}, {Resource::Background});
     }
-    if (traits_.splats() == 0) return;
+    if (traits_.splats() + traits_.sprayDrops == 0) return;
     if (!background_.floor()) {
       leaveOut(Pass::GroundShadow, "there is no floor");
     } else if (background_.shadow() <= 0) {
@@ -224,6 +229,18 @@ class Planner {
   }
 
   void planSplats() {
+    const v1::Splats& splats = look_.splats();
+    if (splats.radius_by_density() && !traits_.densities) {
+      leaveOut("radius by density", "the source gives no densities");
+    }
+    if (!splats.skip_interior()) {
+      leaveOut("search for interior particles", "look.splats.skip_interior is off");
+    } else if (!traits_.neighbourCounts) {
+      // Densities do not tell: next to a wall they are as high as inside, and the liquid there is seen through it.
+      leaveOut("search for interior particles", "the source gives no numbers of neighbours");
+    } else if (splats.radius_in_spacings() < kLeastRadiusOfInterior) {
+      leaveOut("search for interior particles", "small splats leave gaps through which they are seen");
+    }
     allocate(Resource::Surface, PixelFormat::R32f, surfaceSize_);
     run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});
     if (traits_.points > 0) run(Pass::Splats, {Resource::Particles, Resource::SplatList}, {Resource::Surface});
@@ -313,6 +330,25 @@ class Planner {
       run(Pass::BlendLiquid, {scene, Resource::Liquid}, {Resource::Picture});
     }
     allocate(Resource::Picture, PixelFormat::Srgb8Alpha8, size_);
+  }
+
+  void planSpray() {
+    if (traits_.sprayDrops > 0) {
+      std::vector<Resource> reads{Resource::Particles, Resource::SplatList};
+      if (traits_.splats() > 0) {
+        reads.push_back(Resource::Surface);
+      } else {
+        reads.push_back(hasShadow_ ? Resource::Scene : Resource::Background);
+        allocate(Resource::Picture, PixelFormat::Srgb8Alpha8, size_);
+      }
+      run(Pass::Spray, std::move(reads), {Resource::Picture});
+    } else if (look_.splats().stray_density() <= 0) {
+      leaveOut(Pass::Spray, "look.splats.stray_density is 0");
+    } else if (!traits_.densities) {
+      leaveOut(Pass::Spray, "the source gives no densities");
+    } else {
+      leaveOut(Pass::Spray, "no particle in the picture is far from the rest");
+    }
   }
 
   const v1::Look& look_;

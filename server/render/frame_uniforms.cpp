@@ -1,6 +1,6 @@
 #include "frame_uniforms.h"
 
-#include <numbers>
+#include "splat_model.h"
 
 namespace sluice::render {
 
@@ -14,15 +14,11 @@ FrameUniforms::Vec4 pack(const v1::Vec3& v, double w = 0) {
 
 }  // namespace
 
-float SplatScale::volumeFactor() const {
-  const float splatVolume = 4.0F / 3.0F * std::numbers::pi_v<float> * radius * radius * radius;
-  return spacing * spacing * spacing / splatVolume;
-}
-
 SplatScale splatScale(const v1::Splats& splats, double spacing) {
   SplatScale scale;
   scale.spacing = static_cast<float>(spacing);
   scale.radius = static_cast<float>(splats.radius_in_spacings() * spacing);
+  scale.dropRadius = static_cast<float>(kBallOfParticle * spacing);
   // A tenth of a radius: near enough that an eye just outside the liquid sees its surface, far enough that inverse
   // depths stay within a few powers of ten.
   scale.nearDepth = 0.1F * scale.radius;
@@ -46,7 +42,7 @@ FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& pi
   u.downAndSlope = pack(view.down, view.maxSlope.y());
   u.forwardAndPixel = pack(view.forward, view.pixelSlope);
   u.pictureSize = {width, height, 1.0F / width, 1.0F / height};
-  u.splat = {scale.radius, scale.volumeFactor(), scale.spacing, plan.flatRims ? kRimDepth : 0.0F};
+  u.splat = {scale.radius, scale.dropRadius, scale.spacing, plan.flatRims ? kRimDepth : 0.0F};
   u.floorAndHaze = {static_cast<float>(background.floor_height()), static_cast<float>(background.tile_size()),
                     background.floor() ? 1.0F : 0.0F, static_cast<float>(background.haze_distance())};
   u.tileLight = pack(background.tile_light());

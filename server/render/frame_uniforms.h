@@ -36,10 +36,8 @@ struct FrameUniforms {
 struct SplatScale {
   float spacing = 1;
   float radius = 1;
+  float dropRadius = 1;  ///< Of spray.
   float nearDepth = 0;
-
-  /// κ = V/(4/3·πR³): a particle's volume V = d³ over that of its splat, so that thickness sums to the liquid's volume.
-  float volumeFactor() const;
 };
 
 SplatScale splatScale(const v1::Splats& splats, double spacing);

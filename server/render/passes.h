@@ -3,11 +3,13 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "frame_context.h"
 #include "shadow_map.h"
 #include "sluice/render/fluid_renderer.h"
 #include "smoothing/smoothing_method.h"
+#include "splat_target.h"
 #include "thickness_smoothing.h"
 
 namespace sluice::render {
@@ -37,28 +39,25 @@ class GroundShadowPass {
   gl::Texture texture_;
 };
 
-/// Splats the depth of the particles' spheres: points on the CPU where that is what draws anyway.
+/// Splats the depth of the particles' spheres, or what the look has instead: points on the CPU where that is what draws
+/// anyway.
 class SplatsPass {
  public:
-  SplatsPass();
-  void runPoints(const FrameContext& frame) const;
-  void runLarge(const FrameContext& frame) const;
+  void runPoints(const FrameContext& frame);
+  void runLarge(const FrameContext& frame);
 
  private:
-  gl::Program points_;
-  gl::Program large_;
+  SplatPrograms programs_{"splats.frag"};
 };
 
 /// Sums the particles' chords along every line of sight; points likewise.
 class ThicknessPass {
  public:
-  ThicknessPass();
-  void runPoints(const FrameContext& frame) const;
-  void runLarge(const FrameContext& frame) const;
+  void runPoints(const FrameContext& frame);
+  void runLarge(const FrameContext& frame);
 
  private:
-  gl::Program points_;
-  gl::Program large_;
+  SplatPrograms programs_{"thickness.frag"};
 };
 
 /// Evens the thickness out over as wide a place as it is told, whatever the distance.
@@ -121,6 +120,18 @@ class BlendLiquidPass {
 
  private:
   gl::Program program_;
+};
+
+/// Drops of spray over the picture, hidden where liquid is nearer.
+class SprayPass {
+ public:
+  void run(const FrameContext& frame);
+  void show(View view) { view_ = view; }
+
+ private:
+  View view_ = View::Liquid;
+  std::optional<gl::Program> overLiquid_;
+  std::optional<gl::Program> alone_;
 };
 
 /// The scene under the liquid: with its shadow where it has one.

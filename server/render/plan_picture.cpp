@@ -8,9 +8,9 @@ core::Plan planPicture(const core::ParticleSnapshot& particles, const v1::Look& 
                        const core::Camera& camera, core::ImageSize size, float maxPointPixels) {
   const ViewGeometry view = makeViewGeometry(camera, size);
   const SplatScale scale = splatScale(look.splats(), particles.spacing);
-  const SplatSelection selection =
-      selectSplats(particles.positions, {}, view, {scale.radius, scale.nearDepth, maxPointPixels});
-  return planFrame(look, background, size, dataTraits(selection, scale, view), {}).describe();
+  const SplatSelection selection = selectSplats(particles.positions, makeSplatModel(particles, look.splats()), view,
+                                                {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels});
+  return planFrame(look, background, size, dataTraits(particles, selection, scale, view), {}).describe();
 }
 
 }  // namespace sluice::render

@@ -4,102 +4,38 @@
 #include <cmath>
 #include <numbers>
 
-#include "simd.h"
+#include "splat_rows.h"
 
 namespace sluice::render {
 
 namespace {
 
-/// Rows of a strip: small enough that a strip stays in the second-level cache, large enough that most spheres meet no
+/// Rows of a strip: small enough that a strip stays in the second-level cache, large enough that most splats meet no
 /// more than two.
 constexpr int kStripRows = 32;
-
-/// Pixels drawn at once; rows are padded by as many.
-constexpr int kBlock = 16;
-
-/// What the pixels of one row have in common for one sphere.
-struct RowTerms {
-  float cx, cy, cz;
-  float squaredRadius;
-  float rowDiscriminant;  ///< R²(1+W_y²) − e_y².
-  float rowCross;         ///< c_x·W_y.
-  float rowMiddle;        ///< c_y·W_y + c_z.
-};
-
-[[gnu::always_inline]] inline RowTerms rowTerms(const ViewSphere& sphere, float squaredRadius, float slopeY) {
-  const float ey = sphere.y - sphere.z * slopeY;
-  return {sphere.x,
-          sphere.y,
-          sphere.z,
-          squaredRadius,
-          squaredRadius * (1.0F + slopeY * slopeY) - ey * ey,
-          sphere.x * slopeY,
-          sphere.y * slopeY + sphere.z};
-}
-
-[[gnu::always_inline]] inline float discriminant(const RowTerms& row, float slopeX) {
-  const float ex = row.cx - row.cz * slopeX;
-  const float cross = row.rowCross - row.cy * slopeX;
-  return row.rowDiscriminant + row.squaredRadius * slopeX * slopeX - ex * ex - cross * cross;
-}
-
-SLUICE_SIMD_CLONES void drawDepthRow(const RowTerms& terms, float inverse, float rim, const float* __restrict slopes,
-                                     float* __restrict q, int count) {
-  const RowTerms row = terms;
-  for (int first = 0; first < count; first += kBlock) {
-#pragma GCC ivdep
-    for (int i = first; i < first + kBlock; ++i) {
-      const float d = discriminant(row, slopes[i]);
-      const float root = std::sqrt(std::max(d, 0.0F));
-      const float front = (row.rowMiddle + row.cx * slopes[i] + root) * inverse;
-      q[i] = std::max(q[i], d >= 0.0F ? std::max(front, rim) : 0.0F);
-    }
-  }
-}
-
-SLUICE_SIMD_CLONES void drawChordRow(const RowTerms& terms, float weight, const float* __restrict slopes,
-                                     float* __restrict sum, int count) {
-  const RowTerms row = terms;
-  for (int first = 0; first < count; first += kBlock) {
-#pragma GCC ivdep
-    for (int i = first; i < first + kBlock; ++i) {
-      sum[i] += weight * std::sqrt(std::max(discriminant(row, slopes[i]), 0.0F));
-    }
-  }
-}
-
-/// (Δz)·√a with Δz = 2√D/a is the length along the line of sight; a = 1+|W|² is the pixel's alone.
-SLUICE_SIMD_CLONES void finishChords(const float* __restrict sum, const float* __restrict slopes, float slopeY,
-                                     float* __restrict thickness, int count) {
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i) {
-    thickness[i] += 2.0F * sum[i] / std::sqrt(1.0F + slopes[i] * slopes[i] + slopeY * slopeY);
-  }
-}
 
 float rowSlope(const ViewGeometry& target, int y) {
   return (static_cast<float>(y) + 0.5F - 0.5F * static_cast<float>(target.size.height)) * target.pixelSlope;
 }
 
+float ballVolume(float radius) { return 4.0F / 3.0F * std::numbers::pi_v<float> * radius * radius * radius; }
+
 }  // namespace
 
-void SplatRaster::bin(std::span<const ViewSphere> spheres, const ViewGeometry& target) {
+template <class Splat>
+void SplatRaster::bin(std::span<const Splat> splats, const ViewGeometry& target) {
   const auto width = static_cast<float>(target.size.width);
   const auto height = static_cast<float>(target.size.height);
-  columnSlopes_.resize(static_cast<std::size_t>(target.size.width) + kBlock);
+  columnSlopes_.resize(static_cast<std::size_t>(target.size.width) + kSplatBlock);
   for (std::size_t x = 0; x < columnSlopes_.size(); ++x) {
     columnSlopes_[x] = (static_cast<float>(x) + 0.5F - 0.5F * width) * target.pixelSlope;
   }
 
-  const auto count = static_cast<std::ptrdiff_t>(spheres.size());
-  bounds_.resize(spheres.size());
-  spheres_.resize(spheres.size());
+  const auto count = static_cast<std::ptrdiff_t>(splats.size());
+  bounds_.resize(splats.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
-    ViewSphere& sphere = spheres_[static_cast<std::size_t>(i)];
-    sphere = spheres[static_cast<std::size_t>(i)];
-    sphere.radius = visibleRadius(sphere.radius, sphere.z, target.pixelSlope);
-    const SlopeBounds outline = sphereBounds({sphere.x, sphere.y, sphere.z}, sphere.radius);
+    const SlopeBounds outline = boundsOf(widened(splats[static_cast<std::size_t>(i)], target.pixelSlope));
     const Eigen::Vector2f centre = target.toPixel(outline.centre);
     const Eigen::Vector2f half = outline.halfExtent / target.pixelSlope;
     // A pixel's middle stands at a half number.
@@ -129,10 +65,11 @@ void SplatRaster::bin(std::span<const ViewSphere> spheres, const ViewGeometry& t
   forEachMet([&](std::size_t strip, std::uint32_t i) { order_[next[strip]++] = i; });
 }
 
+/// Calls `drawStrip(splats met, first row, last row, row)` for each strip, where `row(y)` is its own memory of zeros.
 template <class DrawStrip>
 void SplatRaster::forEachStrip(const ViewGeometry& target, const DrawStrip& drawStrip) {
   const auto strips = static_cast<int>(stripStart_.size()) - 1;
-  const std::size_t stride = static_cast<std::size_t>(target.size.width) + kBlock;
+  const std::size_t stride = static_cast<std::size_t>(target.size.width) + kSplatBlock;
 #pragma omp parallel
   {
     std::vector<float> pixels(stride * kStripRows);
@@ -150,50 +87,92 @@ void SplatRaster::forEachStrip(const ViewGeometry& target, const DrawStrip& draw
   }
 }
 
-void SplatRaster::drawDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, float rimDepth,
-                            std::span<float> q) {
-  bin(spheres, target);
-  const auto width = static_cast<std::size_t>(target.size.width);
+/// `drawRows(widened splat, rows)` draws one splat, where `rows(action)` calls `action(slope of the row, slopes,
+/// pixels, count)` for every row of it; `finishRow(y, pixels)` then puts a row drawn by all of them into the picture.
+template <class Splat, class DrawRows, class FinishRow>
+void SplatRaster::draw(std::span<const Splat> splats, const ViewGeometry& target, const DrawRows& drawRows,
+                       const FinishRow& finishRow) {
+  bin(splats, target);
   forEachStrip(target, [&](std::span<const std::uint32_t> met, int top, int bottom, const auto& row) {
     for (const std::uint32_t index : met) {
-      const ViewSphere& sphere = spheres_[index];
       const Bounds& box = bounds_[index];
-      const float squaredRadius = sphere.radius * sphere.radius;
-      const float inverse = 1.0F / (sphere.x * sphere.x + sphere.y * sphere.y + sphere.z * sphere.z - squaredRadius);
-      const float rim = 1.0F / (sphere.z - rimDepth * sphere.radius) * (rimDepth > 0.0F ? 1.0F : 0.0F);
-      for (int y = std::max<int>(box.top, top); y < std::min<int>(box.bottom, bottom); ++y) {
-        drawDepthRow(rowTerms(sphere, squaredRadius, rowSlope(target, y)), inverse, rim,
-                     columnSlopes_.data() + box.left, row(y) + box.left, box.right - box.left);
-      }
+      drawRows(widened(splats[index], target.pixelSlope), [&](const auto& drawRow) {
+        for (int y = std::max<int>(box.top, top); y < std::min<int>(box.bottom, bottom); ++y) {
+          drawRow(rowSlope(target, y), columnSlopes_.data() + box.left, row(y) + box.left, box.right - box.left);
+        }
+      });
     }
-    for (int y = top; y < bottom; ++y) {
-      float* const pixels = q.data() + width * static_cast<std::size_t>(y);
-      const float* const drawn = row(y);
-      for (std::size_t x = 0; x < width; ++x) pixels[x] = std::max(pixels[x], drawn[x]);
-    }
+    for (int y = top; y < bottom; ++y) finishRow(y, row(y));
+  });
+}
+
+template <class Splat, class DrawRows>
+void SplatRaster::drawFronts(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> q,
+                             const DrawRows& drawRows) {
+  const auto width = static_cast<std::size_t>(target.size.width);
+  draw(splats, target, drawRows, [&](int y, const float* drawn) {
+    float* const pixels = q.data() + width * static_cast<std::size_t>(y);
+    for (std::size_t x = 0; x < width; ++x) pixels[x] = std::max(pixels[x], drawn[x]);
+  });
+}
+
+template <class Splat, class DrawRows>
+void SplatRaster::drawChords(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> thickness,
+                             const DrawRows& drawRows) {
+  const auto width = static_cast<std::size_t>(target.size.width);
+  draw(splats, target, drawRows, [&](int y, const float* sum) {
+    finishChords(sum, columnSlopes_.data(), rowSlope(target, y), thickness.data() + width * static_cast<std::size_t>(y),
+                 target.size.width);
+  });
+}
+
+void SplatRaster::drawDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, float rimDepth,
+                            std::span<float> q) {
+  drawFronts(spheres, target, q, [&](const ViewSphere& sphere, const auto& rows) {
+    const float rim = rimOf(sphere, rimDepth);
+    rows([&](float slopeY, const float* slopes, float* pixels, int count) {
+      drawDepthRow(sphere, rim, slopeY, slopes, pixels, count);
+    });
+  });
+}
+
+void SplatRaster::drawDiscDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, std::span<float> q) {
+  drawFronts(spheres, target, q, [](const ViewSphere& sphere, const auto& rows) {
+    rows([&](float slopeY, const float* slopes, float* pixels, int count) {
+      drawDiscRow(sphere, slopeY, slopes, pixels, count);
+    });
+  });
+}
+
+void SplatRaster::drawDepth(std::span<const ViewEllipsoid> ellipsoids, const ViewGeometry& target, float rimDepth,
+                            std::span<float> q) {
+  drawFronts(ellipsoids, target, q, [&](const ViewEllipsoid& ellipsoid, const auto& rows) {
+    const EllipsoidRays rays(ellipsoid);
+    const float rim = rimOf(rays, rimDepth);
+    rows([&](float slopeY, const float* slopes, float* pixels, int count) {
+      drawDepthRow(rays, ellipsoid, rim, slopeY, slopes, pixels, count);
+    });
   });
 }
 
 void SplatRaster::drawThickness(std::span<const ViewSphere> spheres, const ViewGeometry& target, float particleVolume,
                                 std::span<float> thickness) {
-  bin(spheres, target);
-  const auto width = static_cast<std::size_t>(target.size.width);
-  forEachStrip(target, [&](std::span<const std::uint32_t> met, int top, int bottom, const auto& row) {
-    for (const std::uint32_t index : met) {
-      const ViewSphere& sphere = spheres_[index];
-      const Bounds& box = bounds_[index];
-      const float squaredRadius = sphere.radius * sphere.radius;
-      const float sphereVolume = 4.0F / 3.0F * std::numbers::pi_v<float> * squaredRadius * sphere.radius;
-      const float weight = particleVolume / sphereVolume;
-      for (int y = std::max<int>(box.top, top); y < std::min<int>(box.bottom, bottom); ++y) {
-        drawChordRow(rowTerms(sphere, squaredRadius, rowSlope(target, y)), weight, columnSlopes_.data() + box.left,
-                     row(y) + box.left, box.right - box.left);
-      }
-    }
-    for (int y = top; y < bottom; ++y) {
-      finishChords(row(y), columnSlopes_.data(), rowSlope(target, y),
-                   thickness.data() + width * static_cast<std::size_t>(y), target.size.width);
-    }
+  drawChords(spheres, target, thickness, [&](const ViewSphere& sphere, const auto& rows) {
+    const float weight = particleVolume / ballVolume(sphere.radius);
+    rows([&](float slopeY, const float* slopes, float* pixels, int count) {
+      drawChordRow(sphere, weight, slopeY, slopes, pixels, count);
+    });
+  });
+}
+
+void SplatRaster::drawThickness(std::span<const ViewEllipsoid> ellipsoids, const ViewGeometry& target,
+                                float particleVolume, std::span<float> thickness) {
+  drawChords(ellipsoids, target, thickness, [&](const ViewEllipsoid& ellipsoid, const auto& rows) {
+    const EllipsoidRays rays(ellipsoid);
+    const float weight = particleVolume / rays.volume;
+    rows([&](float slopeY, const float* slopes, float* pixels, int count) {
+      drawChordRow(rays, ellipsoid, weight, slopeY, slopes, pixels, count);
+    });
   });
 }
 

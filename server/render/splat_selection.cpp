@@ -80,10 +80,30 @@ class TileDistances {
 /// What becomes of a particle.
 enum class Fate : std::uint8_t { Outside, Seen, ThicknessOnly, Large, Spray };
 
+/// A particle's splat in space.
+struct Body {
+  Eigen::Vector3f centre;
+  float outer;  ///< Radius of the least ball around it, m.
+  float inner;  ///< Radius of the largest ball inside it.
+};
+
+Body bodyOf(std::size_t i, const Eigen::Vector3f& position, const SplatModel& model, const SplatLimits& limits) {
+  if (model.role(i) == SplatRole::Spray) return {position, limits.dropRadius, limits.dropRadius};
+  if (model.shape == SplatShape::Ellipsoid) {
+    const SplatEllipsoid& ellipsoid = model.ellipsoids[i];
+    // A flat rim reaches √(1 + kRimDepth²) half axes far.
+    constexpr float kReach = 1.3F;
+    return {ellipsoid.centre, kReach * ellipsoid.longest, ellipsoid.shortest};
+  }
+  const float radius = model.radius(i, limits.radius);
+  return {position, radius, radius};
+}
+
 /// A particle as it lies in the picture.
 struct Projected {
   Fate fate = Fate::Outside;
-  ViewSphere sphere;
+  ViewSphere sphere;           ///< Around the splat.
+  float inner;                 ///< Radius of the ball inside it, m.
   float frontDistance;         ///< |c| − R.
   Eigen::Vector2f centre;      ///< Of the outline, pixels.
   Eigen::Vector2f halfExtent;  ///< Likewise.
@@ -106,18 +126,22 @@ int tileEdge(std::span<const Eigen::Vector3f> positions, const ViewGeometry& vie
   return static_cast<int>(std::clamp(0.6F * typicalPixels, 2.0F, 64.0F));
 }
 
-Projected project(const Eigen::Vector3f& position, float splatRadius, SplatRole role, const ViewGeometry& view,
-                  const SplatLimits& limits, const Eigen::Vector2f& sideLength) {
+Projected project(const Body& body, SplatRole role, const ViewGeometry& view, const SplatLimits& limits,
+                  const Eigen::Vector2f& sideLength) {
   Projected result;
-  const Eigen::Vector3f centre = view.toView(position);
-  const float radius = visibleRadius(splatRadius, centre.z(), view.pixelSlope);
+  const Eigen::Vector3f centre = view.toView(body.centre);
+  result.inner = visibleRadius(body.inner, centre.z(), view.pixelSlope);
+  // What widens an ellipsoid's shortest axis widens all of it: see `widened`.
+  const float radius = body.outer == body.inner
+                           ? result.inner
+                           : std::sqrt(body.outer * body.outer + result.inner * result.inner - body.inner * body.inner);
   if (centre.z() + radius <= limits.nearDepth) return result;
   // Outside one of the four side planes of the view.
   if (std::abs(centre.x()) - view.maxSlope.x() * centre.z() > radius * sideLength.x()) return result;
   if (std::abs(centre.y()) - view.maxSlope.y() * centre.z() > radius * sideLength.y()) return result;
   result.sphere = {centre.x(), centre.y(), centre.z(), radius};
   if (role == SplatRole::Spray) {
-    result.fate = Fate::Spray;
+    if (centre.z() - radius >= limits.nearDepth) result.fate = Fate::Spray;
     return result;
   }
   if (centre.z() - radius < limits.nearDepth) {
@@ -139,6 +163,16 @@ Projected project(const Eigen::Vector3f& position, float splatRadius, SplatRole 
   return result;
 }
 
+/// Covers the tiles in which nothing behind a splat can be seen.
+void cover(TileDistances& tiles, const Projected& p, SplatShape shape, const ViewGeometry& view) {
+  // 0.7 < 1/√2: the square inside the outline, whose least half width is at least R/z.
+  const float halfEdge = 0.7F * p.inner / (p.sphere.z * view.pixelSlope);
+  const float distance = p.frontDistance + p.sphere.radius;
+  const float behind =
+      shape == SplatShape::Disc ? distance + p.inner : std::sqrt(distance * distance - p.inner * p.inner);
+  tiles.cover(tiles.inside(view.toPixel(Eigen::Vector2f(p.sphere.x, p.sphere.y) / p.sphere.z), halfEdge), behind);
+}
+
 }  // namespace
 
 SplatSelection selectSplats(std::span<const Eigen::Vector3f> positions, const SplatModel& model,
@@ -155,13 +189,8 @@ SplatSelection selectSplats(std::span<const Eigen::Vector3f> positions, const Sp
     for (std::ptrdiff_t k = 0; k < count; ++k) {
       const auto i = static_cast<std::size_t>(k);
       Projected& p = projected[i];
-      p = project(positions[i], model.radius(i, limits.radius), model.role(i), view, limits, sideLength);
-      if (p.fate != Fate::Seen) continue;
-      // 0.7 < 1/√2: the square inside the outline, whose least half width is at least R/z.
-      const float radius = p.sphere.radius;
-      const float halfEdge = 0.7F * radius / (p.sphere.z * view.pixelSlope);
-      const float distance = p.frontDistance + radius;
-      mine.cover(mine.inside(p.centre, halfEdge), std::sqrt(distance * distance - radius * radius));
+      p = project(bodyOf(i, positions[i], model, limits), model.role(i), view, limits, sideLength);
+      if (p.fate == Fate::Seen) cover(mine, p, model.shape, view);
     }
 #pragma omp critical
     tiles.merge(mine);
@@ -179,18 +208,6 @@ SplatSelection selectSplats(std::span<const Eigen::Vector3f> positions, const Sp
 
   SplatSelection selection;
   selection.nearestDepth = std::numeric_limits<float>::infinity();
-  const auto collect = [&](Fate fate) {
-    for (std::uint32_t i = 0; i < projected.size(); ++i) {
-      if (projected[i].fate != fate) continue;
-      selection.points.push_back(i);
-      selection.spheres.push_back(projected[i].sphere);
-    }
-  };
-  selection.points.reserve(projected.size());
-  selection.spheres.reserve(projected.size());
-  collect(Fate::Seen);
-  selection.visiblePoints = selection.points.size();
-  collect(Fate::ThicknessOnly);
   for (std::uint32_t i = 0; i < projected.size(); ++i) {
     const Projected& p = projected[i];
     if (p.fate == Fate::Outside) continue;
@@ -198,11 +215,23 @@ SplatSelection selectSplats(std::span<const Eigen::Vector3f> positions, const Sp
       selection.spray.push_back(i);
       continue;
     }
-    if (p.fate == Fate::Large) selection.large.push_back(i);
-    if (p.fate == Fate::ThicknessOnly && model.role(i) == SplatRole::Interior) ++selection.interiorPoints;
     selection.nearestDepth = std::min(selection.nearestDepth, p.sphere.z - p.sphere.radius);
+    if (p.fate == Fate::Large) {
+      selection.large.push_back(i);
+      continue;
+    }
+    selection.points.particles.push_back(i);
+    if (p.fate == Fate::Seen) selection.visible.particles.push_back(i);
+    if (model.role(i) == SplatRole::Interior) ++selection.interiorPoints;
   }
   selection.nearestDepth = std::max(selection.nearestDepth, limits.nearDepth);
+  for (SplatList* const list : {&selection.points, &selection.visible}) {
+    list->spheres.reserve(list->size());
+    for (const std::uint32_t i : list->particles) list->spheres.push_back(projected[i].sphere);
+    if (model.shape != SplatShape::Ellipsoid) continue;
+    list->ellipsoids.reserve(list->size());
+    for (const std::uint32_t i : list->particles) list->ellipsoids.push_back(toView(model.ellipsoids[i], view));
+  }
   return selection;
 }
 

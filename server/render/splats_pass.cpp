@@ -1,36 +1,54 @@
 #include "passes.h"
-#include "splat_target.h"
 
 namespace sluice::render {
 
-SplatsPass::SplatsPass()
-    : points_(shaders().program("splats.vert", "splats.frag")),
-      large_(shaders().program("large_splats.vert", "splats.frag", std::array{std::string_view("LARGE")})) {}
+namespace {
 
-void SplatsPass::runPoints(const FrameContext& frame) const {
-  const std::size_t visible = frame.selection.visiblePoints;
+void beginNearest(const FrameContext& frame) {
+  beginTarget(frame, Resource::Surface);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_MAX);
+}
+
+void drawNatively(const FrameContext& frame) {
+  const SplatList& visible = frame.selection.visible;
+  const float rimDepth = frame.plan.flatRims ? kRimDepth : 0.0F;
+  const std::span<float> surface = frame.targets.startAnew(Resource::Surface);
+  switch (frame.shape) {
+    case SplatShape::Sphere:
+      frame.raster.drawDepth(visible.spheres, frame.surfaceView, rimDepth, surface);
+      break;
+    case SplatShape::Ellipsoid:
+      frame.raster.drawDepth(visible.ellipsoids, frame.surfaceView, rimDepth, surface);
+      break;
+    case SplatShape::Disc:
+      frame.raster.drawDiscDepth(visible.spheres, frame.surfaceView, surface);
+      break;
+  }
+}
+
+}  // namespace
+
+void SplatsPass::runPoints(const FrameContext& frame) {
   if (frame.plan.device.software) {
-    frame.raster.drawDepth(std::span(frame.selection.spheres).first(visible), frame.surfaceView,
-                           frame.plan.flatRims ? kRimDepth : 0.0F, frame.targets.startAnew(Resource::Surface));
+    drawNatively(frame);
     return;
   }
   frame.targets.clear(Resource::Surface);
-  beginTarget(frame, Resource::Surface);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_MAX);
-  glUseProgram(points_.name());
-  aimSplats(points_, frame.surfaceView, true);
-  frame.splats.drawPoints(visible);
+  beginNearest(frame);
+  const gl::Program& program = programs_.points(frame.shape);
+  glUseProgram(program.name());
+  aimSplats(program, frame.surfaceView, true);
+  frame.splats.visible.drawPoints();
 }
 
-void SplatsPass::runLarge(const FrameContext& frame) const {
+void SplatsPass::runLarge(const FrameContext& frame) {
   if (!frame.plan.runs(Pass::Splats)) frame.targets.clear(Resource::Surface);
-  beginTarget(frame, Resource::Surface);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_MAX);
-  glUseProgram(large_.name());
-  aimSplats(large_, frame.surfaceView, false);
-  frame.splats.drawLarge();
+  beginNearest(frame);
+  const gl::Program& program = programs_.large(frame.shape);
+  glUseProgram(program.name());
+  aimSplats(program, frame.surfaceView, false);
+  frame.splats.large.drawRectangles();
 }
 
 }  // namespace sluice::render

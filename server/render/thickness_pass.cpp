@@ -1,5 +1,4 @@
 #include "passes.h"
-#include "splat_target.h"
 
 namespace sluice::render {
 
@@ -12,32 +11,41 @@ void beginSum(const FrameContext& frame) {
   glBlendFunc(GL_ONE, GL_ONE);
 }
 
+/// A disc has no thickness; the sphere around it has that of its particle.
+SplatShape solid(SplatShape shape) { return shape == SplatShape::Disc ? SplatShape::Sphere : shape; }
+
+void sumNatively(const FrameContext& frame) {
+  const float particleVolume = frame.scale.spacing * frame.scale.spacing * frame.scale.spacing;
+  const std::span<float> thickness = frame.targets.startAnew(Resource::Thickness);
+  if (frame.shape == SplatShape::Ellipsoid) {
+    frame.raster.drawThickness(frame.selection.points.ellipsoids, frame.thicknessView, particleVolume, thickness);
+  } else {
+    frame.raster.drawThickness(frame.selection.points.spheres, frame.thicknessView, particleVolume, thickness);
+  }
+}
+
 }  // namespace
 
-ThicknessPass::ThicknessPass()
-    : points_(shaders().program("splats.vert", "thickness.frag")),
-      large_(shaders().program("large_splats.vert", "thickness.frag", std::array{std::string_view("LARGE")})) {}
-
-void ThicknessPass::runPoints(const FrameContext& frame) const {
+void ThicknessPass::runPoints(const FrameContext& frame) {
   if (frame.plan.device.software) {
-    const float particleVolume = frame.scale.spacing * frame.scale.spacing * frame.scale.spacing;
-    frame.raster.drawThickness(frame.selection.spheres, frame.thicknessView, particleVolume,
-                               frame.targets.startAnew(Resource::Thickness));
+    sumNatively(frame);
     return;
   }
   frame.targets.clear(Resource::Thickness);
   beginSum(frame);
-  glUseProgram(points_.name());
-  aimSplats(points_, frame.thicknessView, true);
-  frame.splats.drawPoints(frame.selection.spheres.size());
+  const gl::Program& program = programs_.points(solid(frame.shape));
+  glUseProgram(program.name());
+  aimSplats(program, frame.thicknessView, true);
+  frame.splats.points.drawPoints();
 }
 
-void ThicknessPass::runLarge(const FrameContext& frame) const {
+void ThicknessPass::runLarge(const FrameContext& frame) {
   if (!frame.plan.runs(Pass::Thickness)) frame.targets.clear(Resource::Thickness);
   beginSum(frame);
-  glUseProgram(large_.name());
-  aimSplats(large_, frame.thicknessView, false);
-  frame.splats.drawLarge();
+  const gl::Program& program = programs_.large(solid(frame.shape));
+  glUseProgram(program.name());
+  aimSplats(program, frame.thicknessView, false);
+  frame.splats.large.drawRectangles();
 }
 
 }  // namespace sluice::render

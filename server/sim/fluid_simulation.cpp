@@ -127,6 +127,8 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   snapshot->velocities.resize(state_.size());
   snapshot->densities.resize(state_.size());
   snapshot->ids = state_.id;
+  snapshot->supportRadius = support_;
+  snapshot->neighbours.resize(state_.size());
   const auto restDensity = static_cast<float>(snapshot->restDensity);
   const Eigen::Vector3f origin(static_cast<float>(container_.origin[0]), static_cast<float>(container_.origin[1]),
                                static_cast<float>(container_.origin[2]));
@@ -138,6 +140,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
       snapshot->velocities[i] = {v.x, v.y, v.z};
       snapshot->densities[i] = restDensity * lists_.density()[i];
     }
+    lists_.countFluidNeighbours(chunk, snapshot->neighbours);
   });
   snapshot->bounds = core::boundsOf(snapshot->positions);
   snapshot->statistics = statistics_;

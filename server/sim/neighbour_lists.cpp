@@ -123,6 +123,20 @@ void NeighbourLists::addBoundary(const BoxBoundary& boundary, const CellGrid& gr
   });
 }
 
+void NeighbourLists::countFluidNeighbours(const Chunk& chunk, std::vector<std::uint16_t>& counts) const {
+  const PairGroup* group = groups_[chunk.index].data();
+  for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+    const std::size_t places = 4 * std::size_t{groupCount_[i]};
+    std::size_t others = places;
+    // The last group is filled up with the particle itself.
+    if (places > 0) {
+      group += groupCount_[i];
+      for (const std::uint32_t neighbour : group[-1].neighbour) others -= neighbour == i ? 1 : 0;
+    }
+    counts[i] = static_cast<std::uint16_t>(others);
+  }
+}
+
 std::uint64_t NeighbourLists::bytes() const {
   std::uint64_t total = 0;
   for (const std::vector<PairGroup>& groups : groups_) total += groups.capacity() * sizeof(PairGroup);

@@ -36,7 +36,10 @@ class NeighbourLists {
   const std::vector<float>& density() const { return density_; }           ///< ρ/ρ0.
   const std::vector<Float4>& gradientSum() const { return gradientSum_; }  ///< Σ V_j ∇W_ij, boundary included.
   const std::vector<float>& gradientSquares() const { return gradientSquares_; }
-  const std::vector<std::uint16_t>& neighbours() const { return neighbours_; }
+  const std::vector<std::uint16_t>& neighbours() const { return neighbours_; }  ///< Boundary included.
+
+  /// Writes how many fluid particles each particle of a chunk has within the support, at its place in `counts`.
+  void countFluidNeighbours(const Chunk& chunk, std::vector<std::uint16_t>& counts) const;
 
   /// Memory that the lists and sums hold, bytes.
   std::uint64_t bytes() const;

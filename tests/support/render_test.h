@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <random>
 
 #include "column_and_sheet.h"
 #include "sluice/gl/context.h"

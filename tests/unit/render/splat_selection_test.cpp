@@ -11,6 +11,14 @@
 namespace sluice::render {
 namespace {
 
+SplatLimits limits(float radius) {
+  SplatLimits result;
+  result.radius = radius;
+  result.nearDepth = 0.1F * radius;
+  result.maxPointPixels = 255;
+  return result;
+}
+
 TEST(SphereBounds, TouchTheOutline) {
   std::mt19937 random(1);
   const auto uniform = [&](float low, float high) {
@@ -70,29 +78,26 @@ TEST(SelectSplats, LeavingOutTheHiddenChangesNoPixel) {
   const core::ParticleSnapshot particles = testing::columnAndSheet(4000);
   const ViewGeometry view = makeViewGeometry(testing::columnAndSheetCamera(), {120, 90});
   const auto radius = static_cast<float>(0.9 * particles.spacing);
-  const SplatSelection selection = selectSplats(particles.positions, {}, view, {radius, 0.1F * radius, 255.0F});
-  EXPECT_LT(selection.visiblePoints, selection.points.size()) << "nothing is hidden: this shows nothing";
+  const SplatSelection selection = selectSplats(particles.positions, {}, view, limits(radius));
+  EXPECT_LT(selection.visible.size(), selection.points.size()) << "nothing is hidden: this shows nothing";
   EXPECT_TRUE(selection.large.empty());
-  const std::vector<std::uint32_t> visible(
-      selection.points.begin(), selection.points.begin() + static_cast<std::ptrdiff_t>(selection.visiblePoints));
-  EXPECT_EQ(nearestDepths(particles.positions, visible, view, radius),
-            nearestDepths(particles.positions, selection.points, view, radius));
+  EXPECT_EQ(nearestDepths(particles.positions, selection.visible.particles, view, radius),
+            nearestDepths(particles.positions, selection.points.particles, view, radius));
 }
 
 TEST(SelectSplats, EveryParticleInThePictureIsListedOnce) {
   const core::ParticleSnapshot particles = testing::columnAndSheet(4000);
   const ViewGeometry view = makeViewGeometry(testing::columnAndSheetCamera(), {320, 240});
-  SplatSelection selection = selectSplats(particles.positions, {}, view, {0.05F, 0.005F, 255.0F});
-  std::ranges::sort(selection.points);
-  EXPECT_TRUE(std::ranges::adjacent_find(selection.points) == selection.points.end());
+  const SplatSelection selection = selectSplats(particles.positions, {}, view, limits(0.05F));
+  EXPECT_TRUE(std::ranges::is_sorted(selection.points.particles, std::ranges::less_equal{}));
   EXPECT_EQ(selection.points.size(), particles.size());
 }
 
 TEST(SelectSplats, DropsWhatIsBehindOrBeside) {
   const ViewGeometry view = makeViewGeometry({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 45.0F}, {100, 100});
   const std::vector<Eigen::Vector3f> positions{{0, 0, 5}, {50, 0, -5}, {0, -50, -5}, {0, 0, -5}};
-  const SplatSelection selection = selectSplats(positions, {}, view, {0.1F, 0.01F, 255.0F});
-  EXPECT_EQ(selection.points, std::vector<std::uint32_t>{3});
+  const SplatSelection selection = selectSplats(positions, {}, view, limits(0.1F));
+  EXPECT_EQ(selection.points.particles, std::vector<std::uint32_t>{3});
   EXPECT_TRUE(selection.large.empty());
   EXPECT_NEAR(selection.nearestDepth, 4.9F, 1e-5F);
 }
@@ -100,10 +105,10 @@ TEST(SelectSplats, DropsWhatIsBehindOrBeside) {
 TEST(SelectSplats, SpheresAtTheEyeAreLarge) {
   const ViewGeometry view = makeViewGeometry({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 45.0F}, {200, 200});
   const std::vector<Eigen::Vector3f> positions{{0, 0, 0}, {0, 0, -0.1F}, {0, 0, -0.15F}};
-  const SplatSelection selection = selectSplats(positions, {}, view, {0.1F, 0.01F, 255.0F});
-  EXPECT_TRUE(selection.points.empty());
+  const SplatSelection selection = selectSplats(positions, {}, view, limits(0.1F));
+  EXPECT_EQ(selection.points.size(), 0U);
   EXPECT_EQ(selection.large.size(), 3U);
-  EXPECT_EQ(selection.nearestDepth, 0.01F);
+  EXPECT_EQ(selection.nearestDepth, limits(0.1F).nearDepth);
 }
 
 }  // namespace

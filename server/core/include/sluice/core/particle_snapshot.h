@@ -37,6 +37,9 @@ struct ParticleSnapshot {
   std::vector<float> densities;             ///< kg/m³.
   std::vector<std::uint32_t> ids;           ///< Stable over time, whatever the order of the arrays.
 
+  double supportRadius = 0;               ///< Distance up to which `neighbours` counts, m.
+  std::vector<std::uint16_t> neighbours;  ///< Other particles of the fluid, walls not among them.
+
   /// Axis-aligned bounds of `positions`; empty for no particles.
   Eigen::AlignedBox3f bounds;
 

@@ -25,11 +25,16 @@ struct FloatPicture {
   std::vector<float> values;
 };
 
+struct RendererOptions {
+  /// Draw with GL alone even where that is software and the CPU is faster without it: for tests that compare the two.
+  bool asOnGpu = false;
+};
+
 /// Draws particles as liquid. Lives on the thread of its context. Buffers are kept between frames of equal plans.
 class FluidRenderer {
  public:
   /// `context` must outlive the renderer.
-  explicit FluidRenderer(gl::Context& context);
+  explicit FluidRenderer(gl::Context& context, const RendererOptions& options = {});
   ~FluidRenderer();
   FluidRenderer(const FluidRenderer&) = delete;
   FluidRenderer& operator=(const FluidRenderer&) = delete;

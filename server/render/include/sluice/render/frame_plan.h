@@ -27,6 +27,7 @@ enum class Pass : std::uint8_t {
   SmoothThickness,
   Composite,
   BlendLiquid,
+  Spray,
 };
 
 /// What passes read and write.
@@ -55,8 +56,11 @@ struct DataTraits {
   std::size_t hiddenPoints = 0;    ///< Points that are drawn into thickness alone, for whatever reason.
   std::size_t interiorPoints = 0;  ///< Those of them that are deep inside the liquid.
   std::size_t largeSplats = 0;     ///< Splats too near or too large for points.
+  std::size_t sprayDrops = 0;      ///< Particles that are far from the rest.
   double nearestDepth = 1;         ///< Least eye depth of the liquid's surface, m.
   double pixelSlope = 1e-3;        ///< Width of a pixel at eye depth 1.
+  bool densities = false;          ///< Whether the source gives densities,
+  bool neighbourCounts = false;    ///< and numbers of neighbours.
 
   std::size_t splats() const { return points + largeSplats; }
 };
