@@ -8,7 +8,7 @@
 
 namespace sluice::evaluate {
 
-/// Every smoothing method on the hard depth images and cameras of ALGORITHMS.md G.2; implicit ones up to T = 10⁴ d²;
+/// Every smoothing method on the hard depth images and cameras; implicit ones up to T = 10⁴ d²;
 /// and explicit ones for 10,000 steps on noise, just within and just beyond their bound. Every case tells its outcome.
 std::vector<Row> smoothingStability(const Options& options);
 

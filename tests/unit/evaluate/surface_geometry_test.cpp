@@ -45,7 +45,7 @@ Errors errorsOf(const Shape& shape, int pixels) {
 }
 
 TEST(SurfaceGeometry, NormalsOfABallAreItsOwn) {
-  // ALGORITHMS.md C.1 has 0.0123° at 512² for a ball of the same R/z; single precision adds its rounding.
+  // A published check has 0.0123° at 512² for a ball of the same R/z; single precision adds its rounding.
   EXPECT_LT(errorsOf(*makeSphere(), 512).normalDegrees, 0.05);
   EXPECT_LT(errorsOf(*makeSphere(), 256).normalDegrees, 0.1);
 }
