@@ -26,8 +26,8 @@ bool same(const Message& a, const Message& b) {
 
 class FluidRenderer::Impl {
  public:
-  explicit Impl(gl::Context& context)
-      : device_{context.isSoftware()},
+  Impl(gl::Context& context, const DeviceTraits& device)
+      : device_(device),
         clock_(context.isSoftware()),
         emptyArray_(gl::makeVertexArray()),
         maxPointPixels_(maxPointPixels()) {
@@ -310,7 +310,9 @@ class FluidRenderer::Impl {
   BlendLiquidPass blendLiquid_;
 };
 
-FluidRenderer::FluidRenderer(gl::Context& context) : impl_(std::make_unique<Impl>(context)) {}
+FluidRenderer::FluidRenderer(gl::Context& context) : FluidRenderer(context, {.software = context.isSoftware()}) {}
+FluidRenderer::FluidRenderer(gl::Context& context, const DeviceTraits& device)
+    : impl_(std::make_unique<Impl>(context, device)) {}
 FluidRenderer::~FluidRenderer() = default;
 
 core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const v1::Look& look,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <random>
 
 #include "column_and_sheet.h"
 #include "sluice/gl/context.h"
@@ -35,6 +36,12 @@ class RenderTest : public ::testing::Test {
     snapshot.positions = std::move(positions);
     snapshot.bounds = core::boundsOf(snapshot.positions);
     return snapshot;
+  }
+
+  /// What the look's smoothing makes of a surface on another kind of device.
+  render::FloatPicture smoothOn(const render::DeviceTraits& device, const render::FloatPicture& surface,
+                                const core::Camera& camera, double spacing) {
+    return render::FluidRenderer(*context_, device).smooth(surface, look, spacing, camera);
   }
 
   /// Looks along -z from the origin.

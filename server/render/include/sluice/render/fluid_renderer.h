@@ -30,6 +30,8 @@ class FluidRenderer {
  public:
   /// `context` must outlive the renderer.
   explicit FluidRenderer(gl::Context& context);
+  /// As if the context's device were such a one: for tests and studies of the other kind's passes.
+  FluidRenderer(gl::Context& context, const DeviceTraits& device);
   ~FluidRenderer();
   FluidRenderer(const FluidRenderer&) = delete;
   FluidRenderer& operator=(const FluidRenderer&) = delete;
