@@ -27,8 +27,8 @@ bool same(const Message& a, const Message& b) {
 
 class FluidRenderer::Impl {
  public:
-  Impl(gl::Context& context, const RendererOptions& options)
-      : device_{context.isSoftware() && !options.asOnGpu},
+  Impl(gl::Context& context, const DeviceTraits& device)
+      : device_(device),
         clock_(context.isSoftware()),
         emptyArray_(gl::makeVertexArray()),
         maxPointPixels_(maxPointPixels()) {
@@ -346,8 +346,9 @@ class FluidRenderer::Impl {
   SprayPass spray_;
 };
 
-FluidRenderer::FluidRenderer(gl::Context& context, const RendererOptions& options)
-    : impl_(std::make_unique<Impl>(context, options)) {}
+FluidRenderer::FluidRenderer(gl::Context& context) : FluidRenderer(context, {.software = context.isSoftware()}) {}
+FluidRenderer::FluidRenderer(gl::Context& context, const DeviceTraits& device)
+    : impl_(std::make_unique<Impl>(context, device)) {}
 FluidRenderer::~FluidRenderer() = default;
 
 core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const v1::Look& look,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "interior_particles.h"
 #include "smoothing/smoothing_method.h"
@@ -56,6 +57,12 @@ std::string_view name(Resource resource) {
       return "surface";
     case Resource::SurfaceScratch:
       return "surface scratch";
+    case Resource::SurfaceScratch2:
+      return "surface scratch 2";
+    case Resource::SurfaceScratch3:
+      return "surface scratch 3";
+    case Resource::SurfaceScratch4:
+      return "surface scratch 4";
     case Resource::Stencil:
       return "stencil";
     case Resource::Thickness:
@@ -68,6 +75,10 @@ std::string_view name(Resource resource) {
       return "picture";
   }
   return "";
+}
+
+bool isSurface(Resource resource) {
+  return resource == Resource::Surface || std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
 }
 
 std::uint64_t bytesPerPixel(PixelFormat format) { return format == PixelFormat::Stencil8 ? 1 : 4; }
@@ -283,14 +294,15 @@ class Planner {
     std::vector<Resource> reads{Resource::Surface};
     std::vector<Resource> writes{Resource::Surface};
     if (needs.mask) reads.push_back(Resource::Stencil);
-    if (needs.scratch) {
-      allocate(Resource::SurfaceScratch, PixelFormat::R32f, surfaceSize_);
-      writes.push_back(Resource::SurfaceScratch);
+    for (const Resource scratch : std::span(kSurfaceScratch).first(needs.scratch)) {
+      allocate(scratch, PixelFormat::R32f, surfaceSize_);
+      writes.push_back(scratch);
     }
     plan_.flow = needs.flow;
     plan_.flatRims = needs.flatRims;
     std::ranges::move(needs.leftOut, std::back_inserter(plan_.leftOut));
     run(Pass::Smoothing, smoothingName(smoothing.method_case()), std::move(reads), std::move(writes), needs.sweeps);
+    if (needs.erodes) run(Pass::Mask, {Resource::Surface}, {Resource::Stencil});
   }
 
   void planThickness() {

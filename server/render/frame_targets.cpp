@@ -29,8 +29,7 @@ bool isInterpolated(Resource resource) {
 
 /// Drawn where the stencil says that there is liquid.
 bool usesStencil(Resource resource) {
-  return resource == Resource::Surface || resource == Resource::SurfaceScratch || resource == Resource::Liquid ||
-         resource == Resource::Picture;
+  return isSurface(resource) || resource == Resource::Liquid || resource == Resource::Picture;
 }
 
 }  // namespace

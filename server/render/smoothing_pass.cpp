@@ -11,7 +11,10 @@ void SmoothingPass::run(const FrameContext& frame) {
     SLUICE_CHECK(entry != nullptr);
     method = entry->make();
   }
-  if (frame.plan.buffer(Resource::SurfaceScratch) != nullptr) frame.targets.clear(Resource::SurfaceScratch);
+  // Filters draw where there is liquid alone, and read what is beside it too.
+  for (const Resource scratch : kSurfaceScratch) {
+    if (frame.plan.buffer(scratch) != nullptr) frame.targets.clear(scratch);
+  }
   method->run(frame);
 }
 

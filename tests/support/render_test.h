@@ -38,6 +38,12 @@ class RenderTest : public ::testing::Test {
     return snapshot;
   }
 
+  /// What the look's smoothing makes of a surface on another kind of device.
+  render::FloatPicture smoothOn(const render::DeviceTraits& device, const render::FloatPicture& surface,
+                                const core::Camera& camera, double spacing) {
+    return render::FluidRenderer(*context_, device).smooth(surface, look, spacing, camera);
+  }
+
   /// Looks along -z from the origin.
   static core::Camera alongZ(float fovDegrees = 45.0F) { return {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, fovDegrees}; }
 

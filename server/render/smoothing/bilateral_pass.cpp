@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "smoothing/smoothing_method.h"
+#include "smoothing/surface_turns.h"
 
 namespace sluice::render {
 
@@ -16,30 +17,19 @@ class BilateralPass final : public SmoothingMethod {
     const double depthDeviation = method.depth_deviation_in_radii() * frame.scale.radius;
     glProgramUniform1f(program_.name(), 1, static_cast<float>(deviation));
     glProgramUniform1f(program_.name(), 2, static_cast<float>(depthDeviation));
-    const core::ImageSize size = frame.surfaceView.size;
-    for (unsigned i = 0; i < method.iterations(); ++i) {
-      filter(frame, Resource::Surface, Resource::SurfaceScratch, 1.0F / static_cast<float>(size.width), 0.0F);
-      filter(frame, Resource::SurfaceScratch, Resource::Surface, 0.0F, 1.0F / static_cast<float>(size.height));
-    }
+    SurfaceTurns turns(frame);
+    for (unsigned i = 0; i < method.iterations(); ++i) turns.drawAlongAxes(program_);
+    turns.finish();
   }
 
  private:
-  void filter(const FrameContext& frame, Resource from, Resource to, float dx, float dy) const {
-    beginTarget(frame, to);
-    keepToLiquid();
-    bindTexture(frame, 0, from);
-    glUseProgram(program_.name());
-    glProgramUniform2f(program_.name(), 0, dx, dy);
-    drawPicture();
-  }
-
   gl::Program program_ = shaders().program("picture.vert", "bilateral.frag");
 };
 
 }  // namespace
 
 SmoothingPlan planBilateral(const v1::Smoothing& smoothing, const SurfaceTraits&) {
-  return {.scratch = true, .mask = true, .sweeps = static_cast<int>(2 * smoothing.bilateral().iterations())};
+  return {.scratch = 1, .mask = true, .sweeps = static_cast<int>(2 * smoothing.bilateral().iterations())};
 }
 
 std::unique_ptr<SmoothingMethod> makeBilateral() { return std::make_unique<BilateralPass>(); }

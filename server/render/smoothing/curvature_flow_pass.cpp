@@ -1,7 +1,7 @@
-#include <utility>
-
 #include "smoothing/curvature_flow_schedule.h"
+#include "smoothing/explicit_flow.h"
 #include "smoothing/smoothing_method.h"
+#include "smoothing/surface_turns.h"
 
 namespace sluice::render {
 
@@ -12,21 +12,20 @@ class CurvatureFlowPass final : public SmoothingMethod {
   void run(const FrameContext& frame) override {
     const FlowSchedule& schedule = frame.plan.flow;
     const double edge = frame.look.smoothing().curvature_flow().edge_in_radii() * frame.scale.radius;
+    if (frame.plan.device.software) {
+      cpu_.run(frame.targets.change(Resource::Surface), frame.surfaceView.size,
+               {frame.surfaceView.pixelSlope, static_cast<float>(edge)}, schedule);
+      return;
+    }
     glProgramUniform1f(program_.name(), 0, static_cast<float>(schedule.stepTime));
     glProgramUniform1f(program_.name(), 1, static_cast<float>(edge));
-    Resource from = Resource::Surface;
-    Resource to = Resource::SurfaceScratch;
-    for (int i = 0; i < schedule.iterations; ++i) {
-      beginTarget(frame, to);
-      keepToLiquid();
-      glUseProgram(program_.name());
-      bindTexture(frame, 0, from);
-      drawPicture();
-      std::swap(from, to);
-    }
+    SurfaceTurns turns(frame);
+    for (int i = 0; i < schedule.iterations; ++i) turns.draw(program_);
+    turns.finish();
   }
 
  private:
+  ExplicitFlow cpu_;
   gl::Program program_ = shaders().program("picture.vert", "curvature_flow.frag");
 };
 
@@ -34,11 +33,12 @@ class CurvatureFlowPass final : public SmoothingMethod {
 
 SmoothingPlan planCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits& traits) {
   const v1::CurvatureFlow& flow = smoothing.curvature_flow();
-  SmoothingPlan plan{.scratch = true, .mask = true};
+  SmoothingPlan plan;
+  if (!traits.device.software) plan = {.scratch = 1, .mask = true};
   plan.flow = scheduleSteps(smoothing.time() * traits.spacing * traits.spacing, largestStableStep(traits),
                             flow.step_fraction(), flow.max_iterations());
   plan.sweeps = plan.flow.iterations;
-  reportShortfall(plan.flow, plan);
+  reportShortfall(plan.flow, "max_iterations is reached", plan);
   return plan;
 }
 

@@ -2,8 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "smoothing/rkl_stages.h"
 
 namespace sluice::render {
+
+namespace {
+
+/// What `iterations` of at most `longest` each make of the time that is wanted.
+FlowSchedule makeSchedule(double wantedTime, double longest, int iterations) {
+  FlowSchedule schedule;
+  schedule.wantedTime = wantedTime;
+  schedule.iterations = iterations;
+  schedule.stepTime = std::min(longest, wantedTime / std::max(1, iterations));
+  // Below 1e-9 it is round-off.
+  const double shortfall = 1 - iterations * longest / wantedTime;
+  if (shortfall > 1e-9) schedule.shortfall = shortfall;
+  return schedule;
+}
+
+}  // namespace
 
 double largestStableStep(const SurfaceTraits& traits) {
   const double footprint = traits.pixelSlope * traits.nearestDepth;
@@ -15,27 +34,24 @@ double largestStableStep(const SurfaceTraits& traits) {
 }
 
 FlowSchedule scheduleSteps(double wantedTime, double largestStep, double stepFraction, unsigned maxIterations) {
-  FlowSchedule schedule;
-  schedule.wantedTime = wantedTime;
-  const double needed = std::ceil(wantedTime / (stepFraction * largestStep));
-  const auto allowed = static_cast<double>(maxIterations);
-  const auto roundUpToEven = [](double n) { return static_cast<int>(2 * std::ceil(n / 2)); };
-  if (needed <= allowed) {
-    schedule.iterations = roundUpToEven(needed);
-    schedule.stepTime = wantedTime / std::max(1, schedule.iterations);
-  } else {
-    schedule.iterations = roundUpToEven(allowed);
-    schedule.stepTime = stepFraction * largestStep;
-    schedule.shortfall = std::max(0.0, 1 - schedule.iterations * schedule.stepTime / wantedTime);
-  }
+  const double longest = stepFraction * largestStep;
+  const double needed = std::ceil(wantedTime / longest);
+  return makeSchedule(wantedTime, longest, static_cast<int>(std::min<double>(needed, maxIterations)));
+}
+
+FlowSchedule scheduleLongSteps(double wantedTime, double largestStep, unsigned steps) {
+  int stages = 3;
+  while (stages < kMostRklStages && largestStep * rklLength(stages) * steps < wantedTime) stages += 2;
+  FlowSchedule schedule = makeSchedule(wantedTime, largestStep * rklLength(stages), static_cast<int>(steps));
+  schedule.stages = stages;
   return schedule;
 }
 
-void reportShortfall(const FlowSchedule& schedule, SmoothingPlan& plan) {
+void reportShortfall(const FlowSchedule& schedule, std::string reason, SmoothingPlan& plan) {
   if (schedule.shortfall <= 0) return;
   plan.leftOut.push_back(
       {"the last " + std::to_string(std::lround(100 * schedule.shortfall)) + " % of the smoothing time",
-       "max_iterations is reached"});
+       std::move(reason)});
 }
 
 }  // namespace sluice::render

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "smoothing/smoothing_method.h"
 
 namespace sluice::render {
@@ -10,11 +12,14 @@ namespace sluice::render {
 /// surface at hand would grow too large as bumps flatten.
 double largestStableStep(const SurfaceTraits& traits);
 
-/// As many steps of at most `stepFraction·largestStep` as `wantedTime` needs, `maxIterations` at most; an even number,
-/// so that the result lies where the splats were.
+/// As many steps of at most `stepFraction·largestStep` as `wantedTime` needs, `maxIterations` at most.
 FlowSchedule scheduleSteps(double wantedTime, double largestStep, double stepFraction, unsigned maxIterations);
 
-/// Says in a plan what `schedule` cuts off.
-void reportShortfall(const FlowSchedule& schedule, SmoothingPlan& plan);
+/// `steps` steps of RKL2, each of as many stages as its share of `wantedTime` needs for no stage to be longer than
+/// `largestStep`, but kMostRklStages at most.
+FlowSchedule scheduleLongSteps(double wantedTime, double largestStep, unsigned steps);
+
+/// Says in a plan what `schedule` cuts off, and why.
+void reportShortfall(const FlowSchedule& schedule, std::string reason, SmoothingPlan& plan);
 
 }  // namespace sluice::render

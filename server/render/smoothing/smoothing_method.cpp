@@ -12,7 +12,15 @@ std::span<const SmoothingMethodEntry> smoothingMethods() {
   static constexpr std::array kMethods{
       SmoothingMethodEntry{v1::Smoothing::kImplicitCurvatureFlow, planImplicitCurvatureFlow, makeImplicitCurvatureFlow},
       SmoothingMethodEntry{v1::Smoothing::kCurvatureFlow, planCurvatureFlow, makeCurvatureFlow},
+      SmoothingMethodEntry{v1::Smoothing::kRklCurvatureFlow, planRklCurvatureFlow, makeRklCurvatureFlow},
+      SmoothingMethodEntry{v1::Smoothing::kCurvatureFlowVanderlaan2009, planCurvatureFlowVanDerLaan2009,
+                           makeCurvatureFlowVanDerLaan2009},
+      SmoothingMethodEntry{v1::Smoothing::kNarrowRange, planNarrowRange, makeNarrowRange},
+      SmoothingMethodEntry{v1::Smoothing::kPlaneFit, planPlaneFit, makePlaneFit},
       SmoothingMethodEntry{v1::Smoothing::kBilateral, planBilateral, makeBilateral},
+      SmoothingMethodEntry{v1::Smoothing::kFullBilateral, planFullBilateral, makeFullBilateral},
+      SmoothingMethodEntry{v1::Smoothing::kGaussian, planGaussian, makeGaussian},
+      SmoothingMethodEntry{v1::Smoothing::kBinomial, planBinomial, makeBinomial},
   };
   return kMethods;
 }

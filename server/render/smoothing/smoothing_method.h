@@ -22,8 +22,9 @@ struct SurfaceTraits {
 
 /// What a method asks of a frame, besides the surface.
 struct SmoothingPlan {
-  bool scratch = false;  ///< Draws to and fro between Resource::Surface and Resource::SurfaceScratch.
-  bool mask = false;     ///< Draws where the stencil says that there is liquid.
+  std::size_t scratch = 0;  ///< How many of kSurfaceScratch it draws into.
+  bool mask = false;        ///< Draws where the stencil says that there is liquid.
+  bool erodes = false;      ///< Leaves less liquid than there was: the mask has to be drawn again.
   /// Asks for splats whose limbs are flat: the surface of a splat ends at its rim up to a radius behind its front, far
   /// deeper than where splats meet inside the liquid, and silhouettes would show every single one.
   bool flatRims = false;
@@ -63,9 +64,23 @@ double smoothingDeviation(const v1::Smoothing& smoothing, double spacing);
 // Each method stands in the file of its name.
 SmoothingPlan planBilateral(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
 std::unique_ptr<SmoothingMethod> makeBilateral();
+SmoothingPlan planBinomial(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makeBinomial();
 SmoothingPlan planCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
 std::unique_ptr<SmoothingMethod> makeCurvatureFlow();
+SmoothingPlan planCurvatureFlowVanDerLaan2009(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makeCurvatureFlowVanDerLaan2009();
+SmoothingPlan planFullBilateral(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makeFullBilateral();
+SmoothingPlan planGaussian(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makeGaussian();
 SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
 std::unique_ptr<SmoothingMethod> makeImplicitCurvatureFlow();
+SmoothingPlan planNarrowRange(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makeNarrowRange();
+SmoothingPlan planPlaneFit(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makePlaneFit();
+SmoothingPlan planRklCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits& traits);
+std::unique_ptr<SmoothingMethod> makeRklCurvatureFlow();
 
 }  // namespace sluice::render

@@ -100,6 +100,8 @@ TEST(Assign, SaysWhatIsAllowedInsteadOfAValue) {
 TEST(Assign, ChecksRanges) {
   EXPECT_STREQ(assignError({"simulation.fluids[0].viscosity=-1"}).what(),
                "simulation.fluids[0].viscosity: -1 is outside [0, 100] m²/s");
+  EXPECT_STREQ(assignError({"look.smoothing.curvature_flow.step_fraction=1.05"}).what(),
+               "look.smoothing.curvature_flow.step_fraction: 1.05 is outside [0.01, 1] × largest stable step");
   EXPECT_EQ(assignError({"look.smoothing.time=nan"}).fieldPath(), "look.smoothing.time");
 }
 

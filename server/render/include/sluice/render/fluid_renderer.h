@@ -25,16 +25,13 @@ struct FloatPicture {
   std::vector<float> values;
 };
 
-struct RendererOptions {
-  /// Draw with GL alone even where that is software and the CPU is faster without it: for tests that compare the two.
-  bool asOnGpu = false;
-};
-
 /// Draws particles as liquid. Lives on the thread of its context. Buffers are kept between frames of equal plans.
 class FluidRenderer {
  public:
   /// `context` must outlive the renderer.
-  explicit FluidRenderer(gl::Context& context, const RendererOptions& options = {});
+  explicit FluidRenderer(gl::Context& context);
+  /// As if the context's device were such a one: for tests and studies of the other kind's passes.
+  FluidRenderer(gl::Context& context, const DeviceTraits& device);
   ~FluidRenderer();
   FluidRenderer(const FluidRenderer&) = delete;
   FluidRenderer& operator=(const FluidRenderer&) = delete;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -39,12 +40,23 @@ enum class Resource : std::uint8_t {
   Scene,           ///< Floor and sky with the liquid's shadow.
   Surface,         ///< Inverse eye depth q = 1/z of the liquid's front, 1/m; 0 where there is none.
   SurfaceScratch,  ///< The other half of a filter's to and fro.
-  Stencil,         ///< 1 where there is liquid.
-  Thickness,       ///< Liquid along the line of sight, m.
+  SurfaceScratch2,
+  SurfaceScratch3,
+  SurfaceScratch4,
+  Stencil,    ///< 1 where there is liquid.
+  Thickness,  ///< Liquid along the line of sight, m.
   ThicknessScratch,
   Liquid,  ///< The shaded liquid alone, where it is drawn smaller than the picture.
   Picture,
 };
+
+/// What smoothing may draw into besides the surface itself, alike in size and format, in the order in which a method
+/// gets them.
+inline constexpr std::array kSurfaceScratch{Resource::SurfaceScratch, Resource::SurfaceScratch2,
+                                            Resource::SurfaceScratch3, Resource::SurfaceScratch4};
+
+/// The surface, or one of its scratch buffers.
+bool isSurface(Resource resource);
 
 std::string_view name(Pass pass);
 std::string_view name(Resource resource);
@@ -80,9 +92,10 @@ struct DeviceTraits {
 /// Where a flat rim lies, in radii before the splat's centre: with R = 0.9 d as deep as where two splats d apart meet.
 constexpr float kRimDepth = 0.83F;
 
-/// How an explicit flow spends its smoothing time.
+/// How an explicit flow spends its smoothing time. The flow as printed in 2009 counts time in m·pixel instead of m².
 struct FlowSchedule {
   int iterations = 0;
+  int stages = 1;         ///< Evaluations of the flow in one iteration.
   double stepTime = 0;    ///< Flow time of one iteration, m².
   double wantedTime = 0;  ///< What the scene asks for, m².
   double shortfall = 0;   ///< Fraction of `wantedTime` that max_iterations cuts off.
