@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -23,21 +24,24 @@ double angleDegrees(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return std::atan2(u.cross(v).norm(), u.dot(v)) * kDegrees;
 }
 
+// Of no values at all there is no mean: NaN, which reports leave empty.
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 double mean(const std::vector<double>& values) {
   double sum = 0;
   for (const double v : values) sum += v;
-  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+  return values.empty() ? kNone : sum / static_cast<double>(values.size());
 }
 
 double rootMeanSquare(const std::vector<double>& values, double about = 0) {
   double sum = 0;
   for (const double v : values) sum += (v - about) * (v - about);
-  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+  return values.empty() ? kNone : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// The value that `fraction` of all are below; 0 for none. Reorders.
+/// The value that `fraction` of all are below. Reorders.
 double quantile(std::vector<double>& values, double fraction) {
-  if (values.empty()) return 0;
+  if (values.empty()) return kNone;
   const auto nth = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;

@@ -20,7 +20,8 @@ struct SurfaceError {
   double hausdorffPixels = 0;    ///< Likewise.
   double curvatureResidual = 0;  ///< Mean |κ1 + κ2 − κ_ref|·d.
   std::size_t holes = 0;         ///< Pixels of the picture without liquid inside the true surface.
-  std::size_t judgedPixels = 0;  ///< Surface pixels that depths and normals were compared at.
+  /// Surface pixels that depths and normals were compared at; where there are none, their errors are NaN.
+  std::size_t judgedPixels = 0;
 };
 
 /// A reference at the sizes at which a surface is compared with it.
