@@ -43,24 +43,9 @@ struct Neighbourhood {
   }
 };
 
-/// What the eigenvalues of the covariance are in a cubic lattice, m².
-double latticeVariance(float spacing, float reach) {
-  const int most = static_cast<int>(std::ceil(reach / spacing));
-  double weights = 0;
-  double sum = 0;
-  for (int z = -most; z <= most; ++z) {
-    for (int y = -most; y <= most; ++y) {
-      for (int x = -most; x <= most; ++x) {
-        const double q = std::sqrt(static_cast<double>(x * x + y * y + z * z)) * spacing / reach;
-        if (q >= 1) continue;
-        const double w = 1 - q * q * q;
-        weights += w;
-        sum += w * x * x * spacing * spacing;
-      }
-    }
-  }
-  return sum / weights;
-}
+/// Eigenvalues of the covariance in a liquid without end, over ρ²: (∫ w r² dV)/(3 ∫ w dV) with w = 1 − (r/ρ)³. In a cubic
+/// lattice they are up to 4 % more or less, depending on ρ/d; the disorder of a liquid evens that out.
+constexpr double kBulkVariance = 0.15;
 
 SplatEllipsoid ball(const Eigen::Vector3f& centre, float radius) {
   return {centre, Eigen::Vector3f::Constant(radius * radius), Eigen::Vector3f::Zero(), radius, radius};
@@ -97,7 +82,7 @@ std::vector<SplatEllipsoid> makeEllipsoids(std::span<const Eigen::Vector3f> posi
   const auto reach = static_cast<float>(settings.neighbourhood_in_spacings() * spacing);
   const float inverseReach = 1.0F / reach;
   const auto pull = static_cast<float>(settings.position_smoothing());
-  const double perVariance = 1.0 / latticeVariance(spacing, reach);
+  const double perVariance = 1.0 / (kBulkVariance * reach * reach);
   // Coincident particles have no extent of their own.
   const double leastVariance = 1e-6 / perVariance;
 

@@ -23,7 +23,7 @@ struct SplatEllipsoid {
 /// Ellipsoids that lie along the particles' neighbours [YT13: Yu & Turk 2013, Reconstructing surfaces of particle-based
 /// fluids using anisotropic kernels]. The weighted covariance of a particle's neighbourhood, C = Σ w (x_j − x̄)(x_j −
 /// x̄)ᵀ/Σ w with w = 1 − (|x_ij|/ρ)³, gives axes and directions: half axes are R·σ_k/σ, where σ_k are the eigenvalues of
-/// C, none less than the largest over `largest_stretch`, and σ is what they are in a cubic lattice, so that particles
+/// C, none less than the largest over `largest_stretch`, and σ is what they are in endless liquid, so that particles
 /// deep inside become balls of radius R. A particle is drawn towards x̄. With too few neighbours it is a ball of its own
 /// volume, or of R if that is less, and stays where it is.
 ///

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "interior_particles.h"
 
@@ -9,10 +10,10 @@ namespace sluice::render {
 
 namespace {
 
-// A particle that has no other within its support has the density W(0)·d³ ≈ 0.32 rest densities (cubic spline, support
-// 2 d), one with two near neighbours 0.48: in between a ball grows into a splat.
-constexpr float kAloneDensity = 0.34F;
-constexpr float kJoinedDensity = 0.5F;
+// Multiples of the density of a particle that is alone, between which a ball grows into a splat: from hardly any
+// neighbour to two near ones, each of which adds a quarter at a distance of half the support.
+constexpr float kAlone = 1.05F;
+constexpr float kJoined = 1.5F;
 
 /// A pair of particles is no surface yet.
 constexpr std::uint16_t kLeastNeighbours = 2;
@@ -64,9 +65,10 @@ std::vector<SplatRole> findRoles(const core::ParticleSnapshot& particles, const 
 void findRadii(SplatModel& model, const core::ParticleSnapshot& particles, float radius, const SplatModel& previous) {
   const auto spacing = static_cast<float>(particles.spacing);
   const auto perRestDensity = static_cast<float>(1.0 / particles.restDensity);
+  const float alone = aloneDensity(particles);
   model.radii.resize(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    model.radii[i] = radiusByDensity(particles.densities[i] * perRestDensity, radius, spacing);
+    model.radii[i] = radiusByDensity(particles.densities[i] * perRestDensity, alone, radius, spacing);
   }
   if (particles.ids.empty()) return;
   model.radiusOfId.reserve(particles.size());
@@ -82,12 +84,17 @@ void findRadii(SplatModel& model, const core::ParticleSnapshot& particles, float
 
 }  // namespace
 
-float radiusByDensity(float density, float radius, float spacing) {
+float aloneDensity(const core::ParticleSnapshot& particles) {
+  const double ratio = particles.supportRadius > 0 ? particles.spacing / particles.supportRadius : 0.5;
+  return static_cast<float>(8 / std::numbers::pi * ratio * ratio * ratio);
+}
+
+float radiusByDensity(float density, float alone, float radius, float spacing) {
   const float ball = kBallOfParticle * spacing;
-  if (density <= kAloneDensity) return ball;
+  if (density <= kAlone * alone) return ball;
   const float grown = radius * std::clamp(1.0F / std::cbrt(density), 1.0F, kLargestGrowth);
-  if (density >= kJoinedDensity) return grown;
-  return std::lerp(ball, grown, (density - kAloneDensity) / (kJoinedDensity - kAloneDensity));
+  if (density >= kJoined * alone) return grown;
+  return std::lerp(ball, grown, (density / alone - kAlone) / (kJoined - kAlone));
 }
 
 SplatModel makeSplatModel(const core::ParticleSnapshot& particles, const v1::Splats& splats,

@@ -48,8 +48,12 @@ inline constexpr float kBallOfParticle = 0.62035049F;
 inline constexpr float kRadiusHysteresis = 0.1F;
 
 /// Radius for a particle of `density`, in rest densities: R·clamp(density^(−⅓), 1, 1.6) [CS08, section 5]; a particle
-/// that is alone becomes a ball of its volume.
-float radiusByDensity(float density, float radius, float spacing);
+/// that is alone, and therefore of density `alone`, becomes a ball of its volume.
+float radiusByDensity(float density, float alone, float radius, float spacing);
+
+/// Density that a particle has without any other, in rest densities: W(0)·d³ = 8/π·(d/H)³ of a cubic spline, with a
+/// support H of two spacings d where the source does not tell.
+float aloneDensity(const core::ParticleSnapshot& particles);
 
 /// What the settings make of a snapshot. What they need and the snapshot does not have is left out. `previous` is the
 /// model of the snapshot before, whose radii particles of the same ids keep for small changes. Uses the OpenMP team of

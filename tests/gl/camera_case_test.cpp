@@ -33,6 +33,27 @@ TEST_P(CameraCase, GivesAFiniteAndRepeatablePicture) {
   }
 }
 
+TEST_P(CameraCase, IsFiniteForEveryShape) {
+  const Case& c = GetParam();
+  core::ParticleSnapshot particles = columnAndSheet(1500);
+  // Every tenth is spray.
+  particles.densities.assign(particles.size(), 1000.0F);
+  for (std::size_t i = 0; i < particles.size(); i += 10) particles.densities[i] = 100.0F;
+  for (const char* shape : {"sphere", "ellipsoid", "disc"}) {
+    v1::Splats& splats = *look.mutable_splats();
+    splats.GetReflection()->MutableMessage(&splats, v1::Splats::descriptor()->FindFieldByName(shape));
+    scene::complete(splats);
+    const core::Frame first = render(particles, c.camera, c.size);
+    for (const render::Resource resource : {render::Resource::Surface, render::Resource::Thickness}) {
+      for (const float value : renderer.readBuffer(resource).values) {
+        ASSERT_TRUE(std::isfinite(value)) << shape << ", " << name(resource);
+        ASSERT_GE(value, 0.0F) << shape << ", " << name(resource);
+      }
+    }
+    EXPECT_EQ(first.pixels, render(particles, c.camera, c.size).pixels);
+  }
+}
+
 const Eigen::Vector3f kUp(0, 1, 0);
 const Eigen::Vector3f kMiddle(0.85F, 0.25F, 0.5F);
 

@@ -126,6 +126,24 @@ TEST_F(Gate, OpaqueLiquidDoesNotDependOnThickness) {
   EXPECT_EQ(full.pixels, render(particles, camera, size).pixels);
 }
 
+TEST_F(Gate, NoStrayParticlesMeanNoSpray) {
+  const core::Frame unknown = render(particles, camera, size);
+  particles.densities.assign(particles.size(), 1000.0F);
+  const core::Frame with = render(particles, camera, size);
+  EXPECT_FALSE(ran("spray"));
+  look.mutable_splats()->set_stray_density(0);
+  const core::Frame without = render(particles, camera, size);
+  EXPECT_EQ(unknown.pixels, with.pixels);
+  EXPECT_EQ(unknown.pixels, without.pixels);
+}
+
+TEST_F(Gate, RadiusByDensityOfRestDensityIsTheSame) {
+  particles.densities.assign(particles.size(), 1000.0F);
+  const core::Frame without = render(particles, camera, size);
+  look.mutable_splats()->set_radius_by_density(true);
+  EXPECT_EQ(without.pixels, render(particles, camera, size).pixels);
+}
+
 TEST_F(Gate, FramesNameThePassesThatRan) {
   const core::Frame frame = render(particles, camera, size);
   std::vector<std::string> timed;

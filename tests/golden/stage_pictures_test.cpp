@@ -48,6 +48,34 @@ TEST_F(Golden, Splats) {
   EXPECT_EQ(compareWithGolden("splats", surface()), "");
 }
 
+TEST_F(Golden, Ellipsoids) {
+  look.mutable_smoothing()->set_time(0);
+  look.mutable_splats()->mutable_ellipsoid();
+  scene::complete(look);
+  EXPECT_EQ(compareWithGolden("ellipsoids", surface()), "");
+}
+
+TEST_F(Golden, Discs) {
+  look.mutable_smoothing()->set_time(0);
+  look.mutable_splats()->mutable_disc();
+  EXPECT_EQ(compareWithGolden("discs", surface()), "");
+}
+
+TEST_F(Golden, Spray) {
+  // A jet of drops from the column's top over the sheet; the first are behind the column's edge.
+  const std::size_t first = particles.size();
+  for (int i = 0; i < 60; ++i) {
+    const auto t = static_cast<float>(i) / 60.0F;
+    const float turn = 2.4F * static_cast<float>(i);
+    particles.positions.emplace_back(0.25F + 1.1F * t + 0.08F * std::cos(turn), 1.0F + 1.5F * t - 2.2F * t * t,
+                                     0.5F + 0.15F * std::sin(turn));
+  }
+  particles.bounds = core::boundsOf(particles.positions);
+  particles.densities.assign(particles.size(), 1000.0F);
+  std::fill(particles.densities.begin() + static_cast<std::ptrdiff_t>(first), particles.densities.end(), 320.0F);
+  EXPECT_EQ(compareWithGolden("spray", draw()), "");
+}
+
 /// One picture for each member of Smoothing.method, named like it.
 class GoldenOfSmoothing : public Golden, public ::testing::WithParamInterface<std::string> {};
 

@@ -44,6 +44,8 @@ class RenderTest : public ::testing::Test {
     return render::FluidRenderer(*context_, device).smooth(surface, look, spacing, camera);
   }
 
+  gl::Context& context() { return *context_; }
+
   /// Looks along -z from the origin.
   static core::Camera alongZ(float fovDegrees = 45.0F) { return {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, fovDegrees}; }
 

@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::Contains;
 using ::testing::Field;
+using ::testing::Not;
 
 class FramePlanTest : public ::testing::Test {
  protected:
@@ -158,6 +159,49 @@ TEST_F(FramePlanTest, LargeSplatsHaveTheirOwnPasses) {
   traits.largeSplats = 3;
   EXPECT_TRUE(plan().runs(Pass::LargeSplats));
   EXPECT_TRUE(plan().runs(Pass::LargeThickness));
+}
+
+TEST_F(FramePlanTest, SprayIsDrawnLastWhereThereIsAny) {
+  const auto reason = [&] {
+    for (const core::LeftOut& entry : plan().leftOut) {
+      if (entry.name == "spray") return entry.reason;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(reason(), "the source gives no densities");
+  traits.densities = true;
+  EXPECT_EQ(reason(), "no particle in the picture is far from the rest");
+  look.mutable_splats()->set_stray_density(0);
+  EXPECT_EQ(reason(), "look.splats.stray_density is 0");
+  look.mutable_splats()->set_stray_density(0.4);
+  traits.sprayDrops = 3;
+  look.mutable_smoothing()->set_divisor(2);
+  EXPECT_EQ(reason(), "");
+  EXPECT_EQ(plan().steps.back().pass, Pass::Spray);
+  EXPECT_THAT(plan().steps.back().reads, Contains(Resource::Surface));
+}
+
+TEST_F(FramePlanTest, SprayAloneNeedsNoLiquid) {
+  traits.points = 0;
+  traits.sprayDrops = 3;
+  const FramePlan p = plan();
+  EXPECT_EQ(p.steps.back().pass, Pass::Spray);
+  EXPECT_TRUE(p.runs(Pass::GroundShadow));
+  EXPECT_FALSE(p.runs(Pass::Splats));
+  EXPECT_EQ(p.buffer(Resource::Surface), nullptr);
+  EXPECT_NE(p.buffer(Resource::Picture), nullptr);
+  EXPECT_THAT(p.leftOut, names("liquid"));
+}
+
+TEST_F(FramePlanTest, InteriorParticlesNeedNeighbourCountsAndClosedSplats) {
+  EXPECT_THAT(plan().leftOut, names("search for interior particles"));
+  traits.neighbourCounts = true;
+  EXPECT_THAT(plan().leftOut, Not(names("search for interior particles")));
+  look.mutable_splats()->set_radius_in_spacings(0.6);
+  EXPECT_THAT(plan().leftOut, names("search for interior particles"));
+  look.mutable_splats()->set_radius_in_spacings(0.9);
+  look.mutable_splats()->set_skip_interior(false);
+  EXPECT_THAT(plan().leftOut, names("search for interior particles"));
 }
 
 TEST_F(FramePlanTest, HighlightOfStrengthZeroIsLeftOut) {

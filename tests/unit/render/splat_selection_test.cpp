@@ -7,6 +7,9 @@
 #include <random>
 
 #include "column_and_sheet.h"
+#include "sluice/render/frame_plan.h"
+#include "sluice/scene/scene.h"
+#include "splat_raster.h"
 
 namespace sluice::render {
 namespace {
@@ -83,6 +86,31 @@ TEST(SelectSplats, LeavingOutTheHiddenChangesNoPixel) {
   EXPECT_TRUE(selection.large.empty());
   EXPECT_EQ(nearestDepths(particles.positions, selection.visible.particles, view, radius),
             nearestDepths(particles.positions, selection.points.particles, view, radius));
+}
+
+TEST(SelectSplats, LeavingOutTheHiddenChangesNoBitOfAnyShape) {
+  core::ParticleSnapshot particles = testing::columnAndSheet(4000);
+  const ViewGeometry view = makeViewGeometry(testing::columnAndSheetCamera(), {160, 120});
+  const auto radius = static_cast<float>(0.9 * particles.spacing);
+  for (const char* shape : {"sphere", "ellipsoid", "disc"}) {
+    v1::Splats splats;
+    splats.GetReflection()->MutableMessage(&splats, v1::Splats::descriptor()->FindFieldByName(shape));
+    scene::complete(splats);
+    const SplatModel model = makeSplatModel(particles, splats);
+    const SplatSelection selection = selectSplats(particles.positions, model, view, limits(radius));
+    EXPECT_LT(selection.visible.size(), selection.points.size()) << "nothing is hidden: this shows nothing";
+    for (const float rimDepth : {0.0F, kRimDepth}) {
+      const auto draw = [&](const SplatList& list) {
+        std::vector<float> q(160 * 120);
+        SplatRaster raster;
+        if (model.shape == SplatShape::Sphere) raster.drawDepth(list.spheres, view, rimDepth, q);
+        if (model.shape == SplatShape::Ellipsoid) raster.drawDepth(list.ellipsoids, view, rimDepth, q);
+        if (model.shape == SplatShape::Disc) raster.drawDiscDepth(list.spheres, view, q);
+        return q;
+      };
+      EXPECT_EQ(draw(selection.visible), draw(selection.points)) << shape << " with rims at " << rimDepth;
+    }
+  }
 }
 
 TEST(SelectSplats, EveryParticleInThePictureIsListedOnce) {

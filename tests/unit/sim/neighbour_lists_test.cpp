@@ -77,6 +77,10 @@ TEST(NeighbourLists, MatchNaiveSearch) {
   const Cloud cloud;
   const NeighbourLists lists = listsOf(cloud, bestPairLoops());
   const auto pairs = pairsOf(lists, cloud.positions.size());
+  std::vector<std::uint16_t> fluidNeighbours(cloud.positions.size());
+  for (std::size_t c = 0; c < chunkCount(cloud.positions.size()); ++c) {
+    lists.countFluidNeighbours({c, c * kChunk, std::min((c + 1) * kChunk, cloud.positions.size())}, fluidNeighbours);
+  }
   for (std::uint32_t i = 0; i < cloud.positions.size(); ++i) {
     double density = 0;
     std::size_t neighbours = 0;
@@ -96,6 +100,7 @@ TEST(NeighbourLists, MatchNaiveSearch) {
       EXPECT_NEAR(pairs[i].at(j)[2], slope * dz, 0.6);
     }
     EXPECT_EQ(neighbours, lists.neighbours()[i]);
+    EXPECT_EQ(neighbours, fluidNeighbours[i]);
     EXPECT_NEAR(lists.density()[i], density, 1e-5);
   }
 }
