@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sluice/render/frame_plan.h"
+
 namespace sluice::render {
 
 namespace {
@@ -93,6 +95,7 @@ Body bodyOf(std::size_t i, const Eigen::Vector3f& position, const SplatModel& mo
     const SplatEllipsoid& ellipsoid = model.ellipsoids[i];
     // A flat rim reaches √(1 + kRimDepth²) half axes far.
     constexpr float kReach = 1.3F;
+    static_assert(kReach * kReach >= 1.0F + kRimDepth * kRimDepth);
     return {ellipsoid.centre, kReach * ellipsoid.longest, ellipsoid.shortest};
   }
   const float radius = model.radius(i, limits.radius);
