@@ -21,6 +21,8 @@ void main() {
   vec2 stride = kernel.stride * frame.pictureSize.zw;
   // Moments of x, y and of p, the difference of q from the pixel's.
   float s = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, p = 0.0, xp = 0.0, yp = 0.0;
+  float least = q;
+  float most = q;
   for (float j = -kernel.reach; j <= kernel.reach; ++j) {
     float width = floor(sqrt(kernel.reach * kernel.reach - j * j));
     for (float i = -width; i <= width; ++i) {
@@ -30,6 +32,8 @@ void main() {
       if (inRange <= 0.0) continue;
       float weight = exp2(kernel.exponent * (i * i + j * j)) * inRange * inRange;
       float difference = weight * (other - q);
+      least = min(least, other);
+      most = max(most, other);
       s += weight;
       x += weight * i;
       y += weight * j;
@@ -51,7 +55,8 @@ void main() {
   float mean = p / s;
   xp -= p * mx;
   yp -= p * my;
-  // Pixels in one line tell nothing of the slope across, and a single one nothing at all: they stay.
   float slopes = mx * (yy * xp - xy * yp) + my * (xx * yp - xy * xp);
-  smoothed = determinant > 1e-4 * xx * yy ? q + mean - slopes / determinant : q;
+  // Pixels in one line tell nothing of the slope across, and a single one nothing at all: they stay. A fit to few pixels
+  // may pass far from this one: it is held to the depths that took part.
+  smoothed = determinant > 1e-4 * xx * yy ? clamp(q + mean - slopes / determinant, least, most) : q;
 }

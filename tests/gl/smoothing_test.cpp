@@ -242,6 +242,31 @@ TEST_P(SmoothingMethodTest, SilhouettesStay) {
   }
 }
 
+TEST_P(SmoothingMethodTest, HardDepthsStayWithinThemselves) {
+  // From 1 mm to 1,000 km from pixel to pixel, with holes: what comes out lies between what went in, or within the
+  // factor of two by which a step may go wrong.
+  const core::ImageSize size{64, 48};
+  std::mt19937 random(5);
+  const FloatPicture surface = pictureOf(size, [&](double, double) {
+    const double share = static_cast<double>(random() >> 8) / (1U << 24);
+    return share < 0.1 ? 0.0 : std::pow(10.0, 9 * (share - 0.1) / 0.9 - 3);
+  });
+  for (const double time : {0.5, 50.0}) {
+    look.mutable_smoothing()->set_time(time);
+    const FloatPicture smoothed = smooth(surface, 0.05);
+    const bool mayErode = look.smoothing().has_binomial();
+    for (std::size_t i = 0; i < surface.values.size(); ++i) {
+      const float q = smoothed.values[i];
+      if (surface.values[i] == 0.0F || (mayErode && q == 0.0F)) {
+        ASSERT_EQ(q, 0.0F) << i;
+        continue;
+      }
+      ASSERT_GE(q, 0.5F * 1e-6F) << i;
+      ASSERT_LE(q, 2.0F * 1e3F) << i;
+    }
+  }
+}
+
 TEST_P(SmoothingMethodTest, TurningThePictureChangesNothing) {
   // By 45° about the line of sight.
   const core::ParticleSnapshot ball = bumpyBall(5);
