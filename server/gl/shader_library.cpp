@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <initializer_list>
 
 namespace sluice::gl {
 
@@ -63,6 +64,22 @@ std::string namePlaces(std::string_view log, const ExpandedShader& shader) {
   return named;
 }
 
+namespace {
+
+Program link(std::initializer_list<const Shader*> shaders, const std::string& name) {
+  Program program(glCreateProgram());
+  for (const Shader* shader : shaders) glAttachShader(program.name(), shader->name());
+  glLinkProgram(program.name());
+  GLint linked = GL_FALSE;
+  glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
+  if (linked == GL_FALSE) {
+    throw ShaderError(name + ": " + infoLog(program.name(), glGetProgramiv, glGetProgramInfoLog));
+  }
+  return program;
+}
+
+}  // namespace
+
 std::string_view ShaderLibrary::find(std::string_view name) const {
   const auto source = std::ranges::find(sources_, name, &ShaderSource::name);
   if (source == sources_.end()) throw ShaderError(std::string(name) + ": there is no such shader file");
@@ -117,17 +134,12 @@ Program ShaderLibrary::program(std::string_view vertexName, std::string_view fra
                                std::span<const std::string_view> defines) const {
   const Shader vertex = compile(GL_VERTEX_SHADER, vertexName, defines);
   const Shader fragment = compile(GL_FRAGMENT_SHADER, fragmentName, defines);
-  Program program(glCreateProgram());
-  glAttachShader(program.name(), vertex.name());
-  glAttachShader(program.name(), fragment.name());
-  glLinkProgram(program.name());
-  GLint linked = GL_FALSE;
-  glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
-  if (linked == GL_FALSE) {
-    throw ShaderError(std::string(vertexName) + " with " + std::string(fragmentName) + ": " +
-                      infoLog(program.name(), glGetProgramiv, glGetProgramInfoLog));
-  }
-  return program;
+  return link({&vertex, &fragment}, std::string(vertexName) + " with " + std::string(fragmentName));
+}
+
+Program ShaderLibrary::computeProgram(std::string_view name, std::span<const std::string_view> defines) const {
+  const Shader shader = compile(GL_COMPUTE_SHADER, name, defines);
+  return link({&shader}, std::string(name));
 }
 
 }  // namespace sluice::gl

@@ -356,7 +356,8 @@ TEST_P(EdgeAwareTest, KeepsSilhouettesInsideTheLiquid) {
 // --- Flow on the CPU ---
 
 class NativeFlowTest : public SmoothingTest {};
-FOR_METHODS(NativeFlowTest, (std::vector<std::string>{"curvature_flow", "rkl_curvature_flow"}));
+FOR_METHODS(NativeFlowTest,
+            (std::vector<std::string>{"curvature_flow", "rkl_curvature_flow", "implicit_curvature_flow"}));
 
 TEST_P(NativeFlowTest, EqualsTheShaders) {
   const core::ImageSize size{320, 240};

@@ -43,6 +43,18 @@ FlowRow ImplicitCurvatureFlow::flowRow(const Window& window, int y, RowSpan span
           step.pixelSlope};
 }
 
+FlowTimes flowTimes(const FlowSettings& settings) {
+  // Wide enough for splats to merge, narrow enough for the liquid's own shape: a Gaussian of σ = ¾ d.
+  constexpr float kMergingDeviation = 0.75F;
+  // The end of every line moves by itself, and a long step carries what sets it apart from its neighbours far inside: a
+  // last short step, a Gaussian of σ = 0.4 d, evens that out.
+  constexpr float kLastDeviation = 0.4F;
+  const float squaredSpacing = settings.spacing * settings.spacing;
+  const float last = std::min(kLastDeviation * kLastDeviation * squaredSpacing, 0.25F * settings.time);
+  return {kMergingDeviation * kMergingDeviation * squaredSpacing,
+          (settings.time - last) / static_cast<float>(settings.steps), last};
+}
+
 RowSpan ImplicitCurvatureFlow::part(const Window& window, int y, int chunk) {
   const RowSpan span = window.spans[static_cast<std::size_t>(y)];
   const int first = std::max(span.first, chunk * kColumns);
@@ -97,15 +109,8 @@ void ImplicitCurvatureFlow::smooth(std::span<float> q, core::ImageSize size, con
   }
   if (settings.widestGap > 0.0F) closeGaps(window, settings);
   orient(window, settings, size);
-  // The end of every line moves by itself, and a long step carries what sets it apart from its neighbours far inside: a
-  // last short step, a Gaussian of σ = 0.4 d, evens that out.
-  const float last = std::min(0.15F * settings.spacing * settings.spacing, 0.25F * settings.time);
-  Step step{(settings.time - last) / static_cast<float>(settings.steps),
-            settings.pixelSlope,
-            settings.edge,
-            settings.spacing,
-            size,
-            &oriented_};
+  const FlowTimes times = flowTimes(settings);
+  Step step{times.step, settings.pixelSlope, settings.edge, settings.spacing, size, &oriented_};
   for (int k = 0; k < settings.steps; ++k) {
     // What one axis does to the lines of the other does not add up when they take turns.
     if (k % 2 == 0) {
@@ -117,7 +122,7 @@ void ImplicitCurvatureFlow::smooth(std::span<float> q, core::ImageSize size, con
     }
     step.oriented = &picture_;
   }
-  step.time = last;
+  step.time = times.last;
   step.oriented = nullptr;
   smoothColumns(window, step);
   smoothRows(window, step);
@@ -153,10 +158,7 @@ void ImplicitCurvatureFlow::closeGaps(const Window& window, const FlowSettings& 
 void ImplicitCurvatureFlow::orient(const Window& window, const FlowSettings& settings, core::ImageSize size) {
   oriented_.fit(width_, height_);
   for (int y = 0; y < height_; ++y) std::copy_n(picture_.row(y), width_, oriented_.row(y));
-  // Wide enough for splats to merge, narrow enough for the liquid's own shape: a Gaussian of σ = ¾ d.
-  constexpr float kDeviationInSpacings = 0.75F;
-  const float deviation = kDeviationInSpacings * settings.spacing;
-  const Step spread{deviation * deviation, settings.pixelSlope, settings.edge, settings.spacing, size, nullptr};
+  const Step spread{flowTimes(settings).merging, settings.pixelSlope, settings.edge, settings.spacing, size, nullptr};
   smoothRows(window, spread);
   smoothColumns(window, spread);
   std::swap(oriented_, picture_);

@@ -18,6 +18,15 @@ struct FlowSettings {
   int steps = 3;
 };
 
+/// How the steps share the flow time, m².
+struct FlowTimes {
+  float merging;  ///< In which splats merge in the copy that tells slopes.
+  float step;     ///< Each of `steps`.
+  float last;     ///< The short one at the end.
+};
+
+FlowTimes flowTimes(const FlowSettings& settings);
+
 /// Mean curvature flow of a surface seen in perspective, q_t = A^{ij}(q)·q_ij (the law of curvature_flow.frag), in a
 /// few large implicit steps on the CPU.
 ///

@@ -1,12 +1,14 @@
+#include <optional>
+
 #include "smoothing/implicit_curvature_flow.h"
+#include "smoothing/implicit_flow_shaders.h"
 #include "smoothing/smoothing_method.h"
 
 namespace sluice::render {
 
 namespace {
 
-/// The flow's implicit form runs on the CPU, between two GL passes: elimination along lines is many times as fast there
-/// as on software GL, where reading back and uploading cost next to nothing.
+/// On the CPU where that is what draws: elimination along lines is many times as fast there as on software GL.
 class ImplicitCurvatureFlowPass final : public SmoothingMethod {
  public:
   void run(const FrameContext& frame) override {
@@ -19,19 +21,26 @@ class ImplicitCurvatureFlowPass final : public SmoothingMethod {
     settings.spacing = frame.scale.spacing;
     settings.widestGap = static_cast<float>(method.close_gaps_in_spacings() * frame.scale.spacing);
     settings.steps = static_cast<int>(method.steps());
-    flow_.smooth(frame.targets.change(Resource::Surface), frame.surfaceView.size, settings);
+    if (frame.plan.device.software) {
+      flow_.smooth(frame.targets.change(Resource::Surface), frame.surfaceView.size, settings);
+    } else {
+      if (!shaders_) shaders_.emplace();
+      shaders_->run(frame, settings);
+    }
   }
 
  private:
   ImplicitCurvatureFlow flow_;
+  std::optional<ImplicitFlowShaders> shaders_;
 };
 
 }  // namespace
 
-SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits&) {
+SmoothingPlan planImplicitCurvatureFlow(const v1::Smoothing& smoothing, const SurfaceTraits& traits) {
   // Besides its steps, one to merge splats and the last short one, each along rows and columns.
   const auto sweeps = static_cast<int>(2 * (smoothing.implicit_curvature_flow().steps() + 2));
-  return {.flatRims = true, .sweeps = sweeps};
+  const std::size_t scratch = traits.device.software ? 0 : kSurfaceScratch.size();
+  return {.scratch = scratch, .flatRims = true, .sweeps = sweeps};
 }
 
 std::unique_ptr<SmoothingMethod> makeImplicitCurvatureFlow() { return std::make_unique<ImplicitCurvatureFlowPass>(); }

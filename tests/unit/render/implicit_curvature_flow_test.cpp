@@ -90,7 +90,7 @@ TEST(ImplicitCurvatureFlow, LongWavesFadeAsBackwardEulerSays) {
   s.steps = 1;
   ImplicitCurvatureFlow().smooth(q, kSize, s);
   const double k = 2 * 3.14159265 / (wavelengthPixels * kPixelSlope);
-  const double last = 0.15 * s.spacing * s.spacing;
+  const double last = flowTimes(s).last;
   const double expected = 1e-4 / (1 + (s.time - last) * 0.25 * k * k / 2) / (1 + last * 0.25 * k * k / 2);
   double amplitude = 0;
   for (int x = 50; x < 150; ++x) amplitude += 2.0 * ripple(x) * (q[at(x, 75)] - 0.5) / 100;

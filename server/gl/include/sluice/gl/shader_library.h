@@ -46,6 +46,9 @@ class ShaderLibrary {
   Program program(std::string_view vertexName, std::string_view fragmentName,
                   std::span<const std::string_view> defines = {}) const;
 
+  /// The same of a compute shader.
+  Program computeProgram(std::string_view name, std::span<const std::string_view> defines = {}) const;
+
  private:
   std::string_view find(std::string_view name) const;
   void append(std::string_view name, ExpandedShader& expanded, std::vector<std::string_view>& included) const;
