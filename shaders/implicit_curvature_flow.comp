@@ -1,7 +1,7 @@
 // Mean curvature flow on inverse depth in long implicit steps, line by line; implicit_curvature_flow.h describes it, and
 // is the same on the CPU. One variant per stage:
 //   RANGE       least and largest inverse depth of the liquid, one line a thread;
-//   CLOSE_GAPS  narrow gaps along a line, one line a thread;
+//   CLOSE_GAPS  narrow gaps along a line, which may be a diagonal, one line a thread;
 //   LINK        each pixel's links to its neighbours along the axis, and its right-hand side, one pixel a thread;
 //   SOLVE       elimination and substitution along a line, one line a thread.
 #include "frame_uniforms.glsl"
@@ -24,7 +24,7 @@ layout(std430, binding = 1) buffer DepthRange {
   uint largest;
 } range;
 
-layout(location = 0) uniform ivec2 along;      // (1, 0): lines are rows; (0, 1): columns
+layout(location = 0) uniform ivec2 along;      // (1, 0): lines are rows; (0, 1): columns; to close gaps also (1, 1) and (-1, 1)
 layout(location = 1) uniform float edge;       // step of depth that counts as a silhouette, m
 layout(location = 2) uniform float timeStep;   // m²
 layout(location = 3) uniform float slopeReach; // over which the slope at an end is taken, m
@@ -59,20 +59,25 @@ void main() {
 #endif
 
 #ifdef CLOSE_GAPS
+// `along` may be diagonal, downwards; a line then starts at the top, or at the side that it comes from.
 void main() {
-  ivec2 size = sizeAlong(imageSize(surface));
+  ivec2 size = imageSize(surface);
   int line = int(gl_GlobalInvocationID.x);
-  if (line >= size.y) return;
-  ivec2 start = (ivec2(1) - along) * line;
-  for (int i = 0; i + 1 < size.x; ++i) {
-    ivec2 p = start + along * i;
+  ivec2 start;
+  if (along.y == 0) {
+    start = ivec2(0, line);
+  } else {
+    start = line < size.x ? ivec2(line, 0) : ivec2(along.x > 0 ? 0 : size.x - 1, line - size.x + 1);
+    if (along.x == 0 && line >= size.x) return;
+  }
+  float length = along.x != 0 && along.y != 0 ? widestGap * 0.70710678 : widestGap;
+  for (ivec2 p = start; all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, size)); p += along) {
     float q = at(p);
     float behind = at(p + along);
-    if (behind <= 0.0 || q - behind <= edge * q * behind) continue;
-    int widest = pixels(widestGap, q);
+    if (q - behind <= edge * q * behind) continue;
+    int widest = pixels(length, q);
     for (int n = 1; n <= widest + 1; ++n) {
       float next = at(p + along * n);
-      if (next <= 0.0) break;
       if (linked(q, next)) {
         for (int k = 1; k < n; ++k) imageStore(surface, p + along * k, vec4(q + (next - q) / float(n) * float(k)));
         break;

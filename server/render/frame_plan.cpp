@@ -268,18 +268,21 @@ class Planner {
       leaveOut(Pass::LargeSplats, "every splat is small enough to be a point");
     }
     allocate(Resource::Stencil, PixelFormat::Stencil8, surfaceSize_);
-    run(Pass::Mask, {Resource::Surface}, {Resource::Stencil});
   }
+
+  void planMask() { run(Pass::Mask, {Resource::Surface}, {Resource::Stencil}); }
 
   void planSmoothing() {
     const v1::Smoothing& smoothing = look_.smoothing();
     if (smoothing.time() <= 0) {
       leaveOut("smoothing", "look.smoothing.time is 0");
+      planMask();
       return;
     }
     const SmoothingMethodEntry* const method = findSmoothingMethod(smoothing.method_case());
     if (method == nullptr) {
       leaveOut("smoothing", "no method is chosen");
+      planMask();
       return;
     }
     SurfaceTraits surface;
@@ -293,7 +296,10 @@ class Planner {
 
     std::vector<Resource> reads{Resource::Surface};
     std::vector<Resource> writes{Resource::Surface};
-    if (needs.mask) reads.push_back(Resource::Stencil);
+    if (needs.mask) {
+      planMask();
+      reads.push_back(Resource::Stencil);
+    }
     for (const Resource scratch : std::span(kSurfaceScratch).first(needs.scratch)) {
       allocate(scratch, PixelFormat::R32f, surfaceSize_);
       writes.push_back(scratch);
@@ -302,7 +308,7 @@ class Planner {
     plan_.flatRims = needs.flatRims;
     std::ranges::move(needs.leftOut, std::back_inserter(plan_.leftOut));
     run(Pass::Smoothing, smoothingName(smoothing.method_case()), std::move(reads), std::move(writes), needs.sweeps);
-    if (needs.erodes) run(Pass::Mask, {Resource::Surface}, {Resource::Stencil});
+    if (!needs.mask || needs.erodes) planMask();
   }
 
   void planThickness() {

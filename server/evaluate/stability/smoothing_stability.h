@@ -22,6 +22,10 @@ struct Outcome {
 /// The range may be left by this factor: the flow has no new extremes, but its differences have at silhouettes.
 constexpr double kRangeFactor = 2;
 
-Outcome judgeSmoothed(const render::FloatPicture& before, const render::FloatPicture& after);
+/// Where a method may draw: nowhere that there was no liquid before, or in the gaps between its splats too.
+enum class LiquidMay { Shrink, FillGaps };
+
+Outcome judgeSmoothed(const render::FloatPicture& before, const render::FloatPicture& after,
+                      LiquidMay may = LiquidMay::Shrink);
 
 }  // namespace sluice::evaluate

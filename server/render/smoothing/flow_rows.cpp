@@ -166,15 +166,13 @@ SLUICE_SIMD_CLONES void markGaps(const float* __restrict q, const float* __restr
                                  float* __restrict marks, RowSpan span) {
 #pragma GCC ivdep
   for (int i = span.first; i < span.last; ++i) {
-    const float behind = neighbour[i] > 0.0F ? 1.0F : 0.0F;
-    marks[i] = q[i] - neighbour[i] > edge * q[i] * neighbour[i] ? behind : 0.0F;
+    marks[i] = q[i] - neighbour[i] > edge * q[i] * neighbour[i] ? 1.0F : 0.0F;
   }
 }
 
 void closeGap(float* q, std::ptrdiff_t step, int widest, float edge) {
   for (int n = 1; n <= widest + 1; ++n) {
     const float next = q[n * step];
-    if (next <= 0.0F) return;
     if (onOneSurface(edge * q[0], q[0], next) != 0.0F) {
       const float slope = (next - q[0]) / static_cast<float>(n);
       for (int i = 1; i < n; ++i) q[i * step] = q[0] + slope * static_cast<float>(i);

@@ -82,11 +82,12 @@ void forEachEnd(const float* ends, RowSpan span, Action&& action) {
 }
 
 /// Marks with 1, else 0, the pixels whose neighbour along the axis, given as a row of its own, lies behind on another
-/// surface.
+/// surface or is background.
 void markGaps(const float* q, const float* neighbour, float edge, float* marks, RowSpan span);
 
 /// Closes the gap after q, if there is one: where the surface comes back after at most `widest` pixels, `step` apart in
-/// memory, and all between lies behind it, those pixels are put onto it. What lies between may not be background.
+/// memory, and all between lies behind it or is background, those pixels are put onto it. The line has to reach
+/// `widest` + 1 pixels beyond q.
 void closeGap(float* q, std::ptrdiff_t step, int widest, float edge);
 
 /// The inverse depths of a picture's liquid lie in [least, largest].

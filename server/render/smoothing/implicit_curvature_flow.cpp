@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "sluice/core/check.h"
@@ -96,7 +97,7 @@ void ImplicitCurvatureFlow::fit(const Window& window) {
 
 void ImplicitCurvatureFlow::smooth(std::span<float> q, core::ImageSize size, const FlowSettings& settings) {
   SLUICE_CHECK_EQ(q.size(), static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-  const Window window = findLiquid(q, size);
+  Window window = findLiquid(q, size);
   if (window.spans.empty() || settings.time <= 0.0F) return;
   fit(window);
   const auto source = [&](int y) {
@@ -129,29 +130,29 @@ void ImplicitCurvatureFlow::smooth(std::span<float> q, core::ImageSize size, con
   for (int y = 0; y < height_; ++y) std::copy_n(picture_.row(y), width_, source(y));
 }
 
-void ImplicitCurvatureFlow::closeGaps(const Window& window, const FlowSettings& settings) {
-  const auto widest = [&](float q) { return pixels(settings.widestGap, q, settings.pixelSlope); };
-  const int chunks = (width_ + kColumns - 1) / kColumns;
-#pragma omp parallel
-  {
-    std::vector<float> marks(static_cast<std::size_t>(width_));
-#pragma omp for schedule(static)
-    for (int y = 0; y < height_; ++y) {
-      float* const q = picture_.row(y);
-      const RowSpan span = window.spans[static_cast<std::size_t>(y)];
-      markGaps(q, q + 1, settings.edge, marks.data(), span);
-      forEachEnd(marks.data(), span, [&](int i, float) { closeGap(q + i, 1, widest(q[i]), settings.edge); });
-    }
-#pragma omp for schedule(static)
-    for (int chunk = 0; chunk < chunks; ++chunk) {
-      for (int y = 0; y + 1 < height_; ++y) {
-        float* const q = picture_.row(y);
-        const RowSpan span = part(window, y, chunk);
-        markGaps(q, picture_.row(y + 1), settings.edge, marks.data(), span);
-        forEachEnd(marks.data(), span,
-                   [&](int i, float) { closeGap(q + i, picture_.stride(), widest(q[i]), settings.edge); });
-      }
-    }
+void ImplicitCurvatureFlow::closeGaps(Window& window, const FlowSettings& settings) {
+  std::vector<float> marks(static_cast<std::size_t>(width_));
+  const auto findSpans = [&] {
+    for (int y = 0; y < height_; ++y) window.spans[static_cast<std::size_t>(y)] = liquidSpan(picture_.row(y), width_);
+  };
+  // Gaps that begin in row y, along (dx, dy).
+  const auto closeFrom = [&](int y, int dx, int dy) {
+    float* const q = picture_.row(y);
+    const RowSpan span = window.spans[static_cast<std::size_t>(y)];
+    const float length =
+        dx != 0 && dy != 0 ? settings.widestGap * std::numbers::sqrt2_v<float> * 0.5F : settings.widestGap;
+    markGaps(q, picture_.row(y + dy) + dx, settings.edge, marks.data(), span);
+    forEachEnd(marks.data(), span, [&](int i, float) {
+      const int roomX = dx == 0 ? height_ + width_ : dx > 0 ? width_ - 1 - i : i;
+      const int room = std::min(roomX, dy == 0 ? height_ + width_ : height_ - 1 - y);
+      closeGap(q + i, dy * picture_.stride() + dx, std::min(pixels(length, q[i], settings.pixelSlope), room - 1),
+               settings.edge);
+    });
+  };
+  // Notches of an outline lie at any angle: with the diagonals no more than 22.5° off one of the four.
+  for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1), std::pair(-1, 1)}) {
+    for (int y = 0; y < height_; ++y) closeFrom(y, dx, dy);
+    findSpans();
   }
 }
 

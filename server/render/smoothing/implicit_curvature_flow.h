@@ -42,13 +42,15 @@ FlowTimes flowTimes(const FlowSettings& settings);
 /// which splats have merged (as Catté et al. 1992 do for diffusion of images). With the slopes of the splats themselves
 /// every limb is a barrier to the lines that cross it, and long steps leave streaks along both axes.
 ///
-/// Before that, narrow gaps in a surface through which another one shows far behind are closed: seen at a flat angle,
-/// splats stand apart, and every gap would end lines that belong together.
+/// Before that, narrow gaps in a surface are closed, through which another one far behind shows, or the background:
+/// seen at a flat angle splats stand apart, and every gap would end lines that belong together; and silhouettes lose
+/// the notches between one splat and the next.
 ///
 /// Uses the OpenMP team of the calling thread; the result is the same for any number of threads.
 class ImplicitCurvatureFlow {
  public:
-  /// Smooths in place: `q` holds one inverse depth per pixel, row by row, 0 where there is no liquid, which stays so.
+  /// Smooths in place: `q` holds one inverse depth per pixel, row by row, 0 where there is no liquid, which stays so
+  /// but for gaps that are closed.
   void smooth(std::span<float> q, core::ImageSize size, const FlowSettings& settings);
 
  private:
@@ -77,7 +79,7 @@ class ImplicitCurvatureFlow {
   static RowSpan part(const Window& window, int y, int chunk);
   FlowRow flowRow(const Window& window, int y, RowSpan span, const Step& step) const;
   void fit(const Window& window);
-  void closeGaps(const Window& window, const FlowSettings& settings);
+  void closeGaps(Window& window, const FlowSettings& settings);
   void orient(const Window& window, const FlowSettings& settings, core::ImageSize size);
   void smoothRows(const Window& window, const Step& step);
   void smoothColumns(const Window& window, const Step& step);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace sluice::render {
 
@@ -46,8 +47,9 @@ void ImplicitFlowShaders::run(const FrameContext& frame, const FlowSettings& set
 
   findRange(frame);
   if (settings.widestGap > 0.0F) {
-    closeGaps(frame, Axis::Rows);
-    closeGaps(frame, Axis::Columns);
+    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1), std::pair(-1, 1)}) {
+      closeGaps(frame, dx, dy);
+    }
   }
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
   copy(frame, Resource::Surface, kOriented);
@@ -78,12 +80,12 @@ void ImplicitFlowShaders::findRange(const FrameContext& frame) {
   waitForImages();
 }
 
-void ImplicitFlowShaders::closeGaps(const FrameContext& frame, Axis axis) const {
+void ImplicitFlowShaders::closeGaps(const FrameContext& frame, int dx, int dy) const {
   const core::ImageSize size = frame.surfaceView.size;
   bindImage(frame, 0, Resource::Surface);
   glUseProgram(closeGaps_.name());
-  glProgramUniform2i(closeGaps_.name(), 0, axis == Axis::Rows ? 1 : 0, axis == Axis::Rows ? 0 : 1);
-  glDispatchCompute(groups(axis == Axis::Rows ? size.height : size.width, 32), 1, 1);
+  glProgramUniform2i(closeGaps_.name(), 0, dx, dy);
+  glDispatchCompute(groups(dy == 0 ? size.height : size.width + size.height - 1, 32), 1, 1);
   waitForImages();
 }
 

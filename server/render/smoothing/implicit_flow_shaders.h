@@ -19,7 +19,7 @@ class ImplicitFlowShaders {
   enum class Axis { Rows, Columns };
 
   void solve(const FrameContext& frame, Resource picture, const Resource* oriented, Axis axis, float time) const;
-  void closeGaps(const FrameContext& frame, Axis axis) const;
+  void closeGaps(const FrameContext& frame, int dx, int dy) const;
   void findRange(const FrameContext& frame);
 
   gl::Program range_;

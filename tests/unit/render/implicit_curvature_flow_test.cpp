@@ -44,6 +44,24 @@ TEST(ImplicitCurvatureFlow, PlaneStaysAPlane) {
   for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(q[i], plane[i], 2e-5F * plane[i]);
 }
 
+TEST(ImplicitCurvatureFlow, ClosesNarrowGapsAlone) {
+  const std::vector<float> plane = planeInDisc(0.3F, -0.2F);
+  FlowSettings s = settings(1e-9F);
+  // Six pixels at q = 0.5.
+  s.widestGap = 6.0F * kPixelSlope / 0.5F;
+  std::vector<float> q = plane;
+  const auto clear = [&](int left, int right, int top, int bottom) {
+    for (int y = top; y < bottom; ++y) std::fill(q.begin() + at(left, y), q.begin() + at(right, y), 0.0F);
+  };
+  clear(70, 74, 40, 100);   // narrow across rows
+  clear(100, 120, 60, 80);  // wide both ways
+  ImplicitCurvatureFlow().smooth(q, kSize, s);
+  EXPECT_NEAR(q[at(72, 70)], plane[at(72, 70)], 1e-4F);
+  EXPECT_EQ(q[at(110, 70)], 0.0F);
+  // Nothing is drawn outside the outline, which is convex.
+  for (std::size_t i = 0; i < q.size(); ++i) EXPECT_TRUE(plane[i] > 0.0F || q[i] == 0.0F) << i;
+}
+
 TEST(ImplicitCurvatureFlow, BackgroundStaysEmpty) {
   const std::vector<float> plane = planeInDisc(0.2F, 0.1F);
   std::vector<float> q = plane;
