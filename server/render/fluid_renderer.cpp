@@ -86,6 +86,7 @@ class FluidRenderer::Impl {
     lookOf_ = look;
     cameraOf_ = camera;
     spacingOf_ = particles.spacing;
+    hasBackground_ = true;
     hasPicture_ = true;
     pictureIs_ = plan.buffer(Resource::Picture) != nullptr ? Resource::Picture : Resource::Background;
     return finish(particles, size);
@@ -104,7 +105,7 @@ class FluidRenderer::Impl {
     traits.nearestDepth = largest > 0.0F ? 1.0F / largest : 1.0F;
     const v1::Background background;
     const FramePlan plan = planFrame(look, background, surface.size, traits, {}, device_);
-    hasPicture_ = false;
+    hasBackground_ = hasPicture_ = false;
     targets_.fit(plan);
     setUpGl();
     upload(pictureUniforms_, makeFrameUniforms(view, view, view, scale, plan, look, background));
@@ -224,7 +225,7 @@ class FluidRenderer::Impl {
   }
 
   ReuseTraits reuse(const v1::Background& background, const core::Camera& camera, core::ImageSize size) const {
-    return {targets_.has(Resource::Background) && targets_.size(Resource::Background) == size && cameraOf_ == camera &&
+    return {hasBackground_ && targets_.size(Resource::Background) == size && cameraOf_ == camera &&
             same(backgroundOf_, background)};
   }
 
@@ -241,11 +242,12 @@ class FluidRenderer::Impl {
                           const v1::Background& background) {
     newShadow_ = false;
     if (!plan.runs(Pass::GroundShadow)) return;
-    if (!newParticles_ && same(backgroundOf_, background) && shadowIsCurrent_) return;
+    // Of these particles, and not of some that came while no shadow was in the picture.
+    if (!newParticles_ && shadowSequence_ == sequence_ && same(backgroundOf_, background)) return;
     shadow_ = castShadow(particles.positions, static_cast<float>(particles.spacing),
                          static_cast<float>(background.floor_height()), sunDirection(background));
     newShadow_ = true;
-    shadowIsCurrent_ = true;
+    shadowSequence_ = sequence_;
   }
 
   void upload(gl::StreamBuffer& buffer, FrameUniforms uniforms) const {
@@ -328,10 +330,11 @@ class FluidRenderer::Impl {
   v1::Look lookOf_;
   core::Camera cameraOf_;
   double spacingOf_ = 0;
+  bool hasBackground_ = false;
   bool hasPicture_ = false;
   Resource pictureIs_ = Resource::Picture;
   ShadowMap shadow_;
-  bool shadowIsCurrent_ = false;
+  std::uint64_t shadowSequence_ = 0;
   bool newShadow_ = false;
 
   BackgroundPass background_;

@@ -43,8 +43,8 @@ struct Neighbourhood {
   }
 };
 
-/// Eigenvalues of the covariance in a liquid without end, over ρ²: (∫ w r² dV)/(3 ∫ w dV) with w = 1 − (r/ρ)³. In a cubic
-/// lattice they are up to 4 % more or less, depending on ρ/d; the disorder of a liquid evens that out.
+/// Eigenvalues of the covariance in a liquid without end, over ρ²: (∫ w r² dV)/(3 ∫ w dV) with w = 1 − (r/ρ)³. In a
+/// cubic lattice they are up to 4 % more or less, depending on ρ/d; the disorder of a liquid evens that out.
 constexpr double kBulkVariance = 0.15;
 
 SplatEllipsoid ball(const Eigen::Vector3f& centre, float radius) {

@@ -70,6 +70,31 @@ TEST_F(Gate, KeptShadowIsTheSame) {
   EXPECT_EQ(first.pixels, again.pixels);
 }
 
+TEST_F(Gate, ShadowIsThatOfParticlesThatCameWhileTheyWereOutOfView) {
+  core::ParticleSnapshot few = columnAndSheet(300);
+  few.sequence = 1;
+  render(few, camera, size);
+  // The other way: no liquid in the picture, no shadow in the plan.
+  core::Camera away = camera;
+  away.target = camera.eye + (camera.eye - camera.target);
+  particles.sequence = 2;
+  render(particles, away, size);
+  EXPECT_FALSE(ran("ground shadow"));
+  const core::Frame back = render(particles, camera, size);
+  particles.sequence = 3;
+  EXPECT_EQ(back.pixels, render(particles, camera, size).pixels);
+}
+
+TEST_F(Gate, BackgroundIsDrawnAgainAfterASurfaceOfAnotherSize) {
+  const core::Frame first = render(particles, camera, size);
+  const core::Frame other = render(particles, camera, {100, 75});
+  render(particles, camera, size);
+  const render::FloatPicture surface{{100, 75}, std::vector<float>(100 * 75, 0.5F)};
+  renderer.smooth(surface, look, particles.spacing, camera);
+  EXPECT_EQ(other.pixels, render(particles, camera, {100, 75}).pixels);
+  EXPECT_EQ(first.pixels, render(particles, camera, size).pixels);
+}
+
 TEST_F(Gate, NoSmoothingEqualsSmoothingByNothing) {
   // The least time that still runs every method moves no surface by as much as a bit of the picture.
   look.mutable_smoothing()->set_time(0);

@@ -14,7 +14,8 @@ namespace sluice::evaluate {
 
 namespace {
 
-/// The splats of published comparisons, so that their tables can stand beside ours. Opaque: thickness is not in question.
+/// The splats of published comparisons, so that their tables can stand beside ours. Opaque: thickness is not in
+/// question.
 constexpr const char* kScene =
     "column_and_sheet {} look { splats { radius_in_spacings: 0.8 } liquid { opaque: true } } background { floor: false "
     "}";

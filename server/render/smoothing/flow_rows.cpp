@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simd.h"
+#include "smoothing/flow_terms.h"
 
 namespace sluice::render {
 
@@ -14,138 +15,82 @@ struct LocalFlow {
   float c11, c12, c22;  ///< Δt·A/C²; 0 along an axis that is cut.
   float a11, a22;       ///< The same, cut or not.
   float endX, endY;     ///< kInner, kStarts or kEnds.
-  float xx, mixed, yy;  ///< Second differences of q; `mixed` is four times q_xy.
+  SecondDifferences second;
 };
 
-/// 1 where |z − z_j| ≤ edge, as in surface.glsl, else 0. No liquid, 0, is on no surface but that of no liquid. Numbers
-/// instead of truth values: products of them become vector code, branches do not.
-[[gnu::always_inline]] inline float onOneSurface(float reach, float q, float neighbour) {
-  return std::abs(neighbour - q) <= reach * neighbour ? 1.0F : 0.0F;
-}
-
-/// Links between a pixel and its neighbours, as numbers.
-struct Links {
-  float w, e, n, s, corners;
-};
-
-[[gnu::always_inline]] inline Links linksOf(const RowAndNeighbours& rows, int i, float edge) {
-  const float q = rows.q[i];
-  const float reach = edge * q;
-  return {onOneSurface(reach, q, rows.q[i - 1]), onOneSurface(reach, q, rows.q[i + 1]),
-          onOneSurface(reach, q, rows.above[i]), onOneSurface(reach, q, rows.below[i]),
-          onOneSurface(reach, q, rows.above[i - 1]) * onOneSurface(reach, q, rows.above[i + 1]) *
-              onOneSurface(reach, q, rows.below[i - 1]) * onOneSurface(reach, q, rows.below[i + 1])};
-}
-
-/// Second differences, and what the links say, for any mobility.
-[[gnu::always_inline]] inline LocalFlow linkedFlow(const RowAndNeighbours& rows, int i, const Links& has, float a11,
-                                                   float a12, float a22) {
+/// With an orientation, or where there is none with A = ½q²·I.
+template <bool kIsOriented>
+[[gnu::always_inline]] inline LocalFlow localFlow(const FlowRow& row, int i, float scale, float perPixel, float edge) {
+  const Links has = linksOf(row.surface, i, edge);
+  const float facing = scale * row.surface.q[i] * row.surface.q[i];
+  FlowTensor a{facing, 0.0F, facing};
+  if constexpr (kIsOriented) {
+    const float wx = row.firstSlope + row.pixelSlope * static_cast<float>(i);
+    a = flowTensor(row.oriented, i, has, wx, row.slope, scale, perPixel);
+  }
   LocalFlow flow;
-  flow.a11 = a11;
-  flow.a22 = a22;
+  flow.a11 = a.xx;
+  flow.a22 = a.yy;
   flow.endX = has.e - has.w;
   flow.endY = has.s - has.n;
-  flow.c11 = has.w * has.e * a11;
-  flow.c22 = has.n * has.s * a22;
+  flow.c11 = has.w * has.e * a.xx;
+  flow.c22 = has.n * has.s * a.yy;
   // Kept below both others, the mixed term may stay explicit for any step.
   const float limit = 0.9F * std::min(flow.c11, flow.c22);
-  flow.c12 = std::min(std::max(has.corners * a12, -limit), limit);
-  flow.xx = rows.q[i + 1] - 2.0F * rows.q[i] + rows.q[i - 1];
-  flow.yy = rows.below[i] - 2.0F * rows.q[i] + rows.above[i];
-  flow.mixed = rows.below[i + 1] - rows.below[i - 1] - rows.above[i + 1] + rows.above[i - 1];
+  flow.c12 = std::min(std::max(has.corners * a.xy, -limit), limit);
+  flow.second = secondDifferences(row.surface, i);
   return flow;
 }
 
-/// A = ½ (q³/|N|) [I + W Wᵀ − b bᵀ/|N|²],  N = (q_X, q_Y, q − W·∇q),  b = ∇q − W·N_3.
-[[gnu::always_inline]] inline LocalFlow localFlow(const FlowRow& row, int i, float scale, float perPixel, float edge) {
-  const Links has = linksOf(row.surface, i, edge);
-  const float q = row.oriented.q[i];
-  // Slopes with ghost values 2q − q_opposite across a silhouette, and q where both neighbours are gone.
-  const float stepW = has.w * (q - row.oriented.q[i - 1]);
-  const float stepE = has.e * (row.oriented.q[i + 1] - q);
-  const float stepN = has.n * (q - row.oriented.above[i]);
-  const float stepS = has.s * (row.oriented.below[i] - q);
-  const float forwardX = stepE + (1.0F - has.e) * stepW;
-  const float backwardX = stepW + (1.0F - has.w) * stepE;
-  const float forwardY = stepS + (1.0F - has.s) * stepN;
-  const float backwardY = stepN + (1.0F - has.n) * stepS;
-  const float gradientX = 0.5F * perPixel * (forwardX + backwardX);
-  const float gradientY = 0.5F * perPixel * (forwardY + backwardY);
+enum class Axis { Row, Column };
 
-  const float wx = row.firstSlope + row.pixelSlope * static_cast<float>(i);
-  const float wy = row.slope;
-  const float n3 = q - wx * gradientX - wy * gradientY;
-  // 1e-30 keeps 0/0 out where there is no liquid; the cube below makes A zero there.
-  const float inverse = 1.0F / std::max(gradientX * gradientX + gradientY * gradientY + n3 * n3, 1e-30F);
-  const float mobility = scale * q * q * q * std::sqrt(inverse);
-  const float bx = gradientX - wx * n3;
-  const float by = gradientY - wy * n3;
-  return linkedFlow(row.surface, i, has, mobility * (1.0F + wx * wx - bx * bx * inverse),
-                    mobility * (wx * wy - bx * by * inverse), mobility * (1.0F + wy * wy - by * by * inverse));
-}
-
-/// The same with A = ½q²·I.
-[[gnu::always_inline]] inline LocalFlow facingFlow(const FlowRow& row, int i, float scale, float edge) {
-  const float q = row.surface.q[i];
-  const float mobility = scale * q * q;
-  return linkedFlow(row.surface, i, linksOf(row.surface, i, edge), mobility, 0.0F, mobility);
+template <Axis kAxis, bool kIsOriented>
+[[gnu::always_inline]] inline void flowAlong(const FlowRow& row, float timeStep, float edge,
+                                             float* __restrict coefficient, float* __restrict rightSide,
+                                             float* __restrict ends) {
+  const FlowRow local = row;
+  const float perPixel = 1.0F / local.pixelSlope;
+  const float scale = 0.5F * timeStep * perPixel * perPixel;
+#pragma GCC ivdep
+  for (int i = local.span.first; i < local.span.last; ++i) {
+    const LocalFlow flow = localFlow<kIsOriented>(local, i, scale, perPixel, edge);
+    if constexpr (kAxis == Axis::Row) {
+      coefficient[i] = flow.c11;
+      rightSide[i] = flow.c11 * flow.second.xx + 0.5F * flow.c12 * flow.second.mixed;
+      ends[i] = flow.endX;
+    } else {
+      coefficient[i] = flow.c22;
+      rightSide[i] = flow.c22 * flow.second.yy;
+      ends[i] = flow.endY;
+    }
+  }
 }
 
 }  // namespace
 
 SLUICE_SIMD_CLONES void flowAlongRow(const FlowRow& row, float timeStep, float edge, float* __restrict coefficient,
                                      float* __restrict rightSide, float* __restrict ends) {
-  const FlowRow local = row;
-  const float perPixel = 1.0F / local.pixelSlope;
-  const float scale = 0.5F * timeStep * perPixel * perPixel;
-  if (local.oriented.q == nullptr) {
-#pragma GCC ivdep
-    for (int i = local.span.first; i < local.span.last; ++i) {
-      const LocalFlow flow = facingFlow(local, i, scale, edge);
-      coefficient[i] = flow.c11;
-      rightSide[i] = flow.c11 * flow.xx;
-      ends[i] = flow.endX;
-    }
-    return;
-  }
-#pragma GCC ivdep
-  for (int i = local.span.first; i < local.span.last; ++i) {
-    const LocalFlow flow = localFlow(local, i, scale, perPixel, edge);
-    coefficient[i] = flow.c11;
-    rightSide[i] = flow.c11 * flow.xx + 0.5F * flow.c12 * flow.mixed;
-    ends[i] = flow.endX;
+  if (row.oriented.q == nullptr) {
+    flowAlong<Axis::Row, false>(row, timeStep, edge, coefficient, rightSide, ends);
+  } else {
+    flowAlong<Axis::Row, true>(row, timeStep, edge, coefficient, rightSide, ends);
   }
 }
 
 SLUICE_SIMD_CLONES void flowAlongColumn(const FlowRow& row, float timeStep, float edge, float* __restrict coefficient,
                                         float* __restrict rightSide, float* __restrict ends) {
-  const FlowRow local = row;
-  const float perPixel = 1.0F / local.pixelSlope;
-  const float scale = 0.5F * timeStep * perPixel * perPixel;
-  if (local.oriented.q == nullptr) {
-#pragma GCC ivdep
-    for (int i = local.span.first; i < local.span.last; ++i) {
-      const LocalFlow flow = facingFlow(local, i, scale, edge);
-      coefficient[i] = flow.c22;
-      rightSide[i] = flow.c22 * flow.yy;
-      ends[i] = flow.endY;
-    }
-    return;
-  }
-#pragma GCC ivdep
-  for (int i = local.span.first; i < local.span.last; ++i) {
-    const LocalFlow flow = localFlow(local, i, scale, perPixel, edge);
-    coefficient[i] = flow.c22;
-    rightSide[i] = flow.c22 * flow.yy;
-    ends[i] = flow.endY;
+  if (row.oriented.q == nullptr) {
+    flowAlong<Axis::Column, false>(row, timeStep, edge, coefficient, rightSide, ends);
+  } else {
+    flowAlong<Axis::Column, true>(row, timeStep, edge, coefficient, rightSide, ends);
   }
 }
 
 Mobility mobilityAt(const FlowRow& row, int i, float timeStep, float edge) {
   const float perPixel = 1.0F / row.pixelSlope;
   const float scale = 0.5F * timeStep * perPixel * perPixel;
-  const LocalFlow flow =
-      row.oriented.q == nullptr ? facingFlow(row, i, scale, edge) : localFlow(row, i, scale, perPixel, edge);
+  const LocalFlow flow = row.oriented.q == nullptr ? localFlow<false>(row, i, scale, perPixel, edge)
+                                                   : localFlow<true>(row, i, scale, perPixel, edge);
   return {flow.a11, flow.a22};
 }
 
