@@ -49,8 +49,7 @@ int printPlan(const PlanOptions& options) {
   if (!options.camera.empty()) camera = parseCamera(options.camera, camera);
 
   const core::Plan steps = source->plan();
-  const core::Plan frame = render::planPicture(*source->snapshot(), live.scene.look(), live.scene.background(), camera,
-                                               parseSize(options.size));
+  const core::Plan frame = render::planPicture(*source->snapshot(), live.scene, camera, parseSize(options.size));
   if (options.scene.json) {
     std::printf("%s\n", Json{{"steps", toJson(steps)}, {"frame", toJson(frame)}}.dump().c_str());
   } else {

@@ -56,7 +56,7 @@ std::unique_ptr<core::ParticleSnapshot> takeSnapshot(const core::ParticleSource&
 }
 
 core::Frame draw(render::FluidRenderer& renderer, const Shot& shot, const core::ParticleSnapshot& particles) {
-  return renderer.render(particles, shot.scene->look(), shot.scene->background(), shot.camera, shot.size);
+  return renderer.render(particles, *shot.scene, shot.camera, shot.size);
 }
 
 /// Draws frames FIRST to LAST of an animation into a folder.

@@ -94,7 +94,7 @@ void RenderLoop::draw(render::FluidRenderer& renderer, const ViewerSchedule::Job
 
   core::Frame frame;
   try {
-    frame = renderer.render(*particles_, scene.scene.look(), scene.scene.background(), job.camera, job.view.size);
+    frame = renderer.render(*particles_, scene.scene, job.camera, job.view.size);
   } catch (const std::exception& error) {
     // The viewer will never acknowledge what it is never sent.
     schedule([&](ViewerSchedule& schedule) { schedule.acknowledge(job.viewer, job.frameId); });

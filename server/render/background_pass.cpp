@@ -11,7 +11,7 @@ void BackgroundPass::run(const FrameContext& frame) const {
   glEnable(GL_CLIP_DISTANCE0);
   glUseProgram(sky_.name());
   drawPicture();
-  if (frame.background.floor()) {
+  if (frame.scene.background().floor()) {
     glUseProgram(floor_.name());
     drawPicture();
   }

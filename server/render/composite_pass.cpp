@@ -15,7 +15,7 @@ Resource sceneOf(const FramePlan& plan) {
 }
 
 void CompositePass::run(const FrameContext& frame) {
-  const CompositeVariant variant{frame.look.liquid().opaque(), frame.look.liquid().specular() > 0,
+  const CompositeVariant variant{frame.look.liquid().opaque(), frame.look.liquid().physical().specular() > 0,
                                  view_ == View::Normals};
   auto program = programs_.find(variant);
   if (program == programs_.end()) {

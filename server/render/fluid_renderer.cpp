@@ -23,6 +23,20 @@ bool same(const Message& a, const Message& b) {
   return google::protobuf::util::MessageDifferencer::Equals(a, b);
 }
 
+/// What of a scene shows in a picture, besides its particles.
+v1::Scene withoutSource(const v1::Scene& scene) {
+  v1::Scene rest;
+  *rest.mutable_look() = scene.look();
+  *rest.mutable_more_looks() = scene.more_looks();
+  *rest.mutable_background() = scene.background();
+  *rest.mutable_lighting() = scene.lighting();
+  *rest.mutable_bodies() = scene.bodies();
+  *rest.mutable_tone() = scene.tone();
+  *rest.mutable_view() = scene.view();
+  if (scene.has_foam()) *rest.mutable_foam() = scene.foam();
+  return rest;
+}
+
 }  // namespace
 
 class FluidRenderer::Impl {
@@ -35,31 +49,32 @@ class FluidRenderer::Impl {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maxEdge_);
   }
 
-  core::Frame render(const core::ParticleSnapshot& particles, const v1::Look& look, const v1::Background& background,
-                     const core::Camera& camera, core::ImageSize size) {
+  core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
+                     core::ImageSize size) {
     checkSize(size);
+    const v1::Look& look = scene.look();
     const ViewGeometry view = makeViewGeometry(camera, size);
     const ViewGeometry surfaceView = divided(view, look.smoothing().divisor());
     const ViewGeometry thicknessView = divided(view, look.thickness().divisor());
     const SplatScale scale = splatScale(look.splats(), particles.spacing);
 
     clock_.start();
-    if (isLastPicture(particles, look, background, camera, size)) return keepPicture(particles, look, background, size);
+    if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, size);
     noteParticles(particles);
     modelSplats(particles, look.splats());
     const SplatSelection selection = selectSplats(particles.positions, model_, view,
                                                   {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels_});
     clock_.lap(name(Pass::SelectSplats));
-    const FramePlan plan = planFrame(look, background, size, dataTraits(particles, selection, scale, view),
-                                     reuse(background, camera, size), device_);
+    const FramePlan plan =
+        planFrame(scene, size, dataTraits(particles, selection, scale, view), reuse(scene, camera, size), device_);
     plan_ = plan.describe();
     targets_.fit(plan);
 
     setUpGl();
     uploadSplats(plan, particles, selection, view, scale);
-    castShadowIfNeeded(plan, particles, background);
-    upload(pictureUniforms_, makeFrameUniforms(view, view, thicknessView, scale, plan, look, background));
-    upload(surfaceUniforms_, makeFrameUniforms(surfaceView, view, thicknessView, scale, plan, look, background));
+    castShadowIfNeeded(plan, particles, scene);
+    upload(pictureUniforms_, makeFrameUniforms(view, view, thicknessView, scale, plan, scene));
+    upload(surfaceUniforms_, makeFrameUniforms(surfaceView, view, thicknessView, scale, plan, scene));
     clock_.lap("upload");
 
     const FrameContext frame{plan,
@@ -67,8 +82,8 @@ class FluidRenderer::Impl {
                              surfaceView,
                              thicknessView,
                              scale,
+                             scene,
                              look,
-                             background,
                              model_.shape,
                              selection,
                              targets_,
@@ -82,8 +97,7 @@ class FluidRenderer::Impl {
       run(step.pass, frame);
       clock_.lap(step.name);
     }
-    backgroundOf_ = background;
-    lookOf_ = look;
+    sceneOf_ = withoutSource(scene);
     cameraOf_ = camera;
     spacingOf_ = particles.spacing;
     hasBackground_ = true;
@@ -92,8 +106,11 @@ class FluidRenderer::Impl {
     return finish(particles, size);
   }
 
-  FloatPicture smooth(const FloatPicture& surface, v1::Look look, double spacing, const core::Camera& camera) {
+  FloatPicture smooth(const FloatPicture& surface, const v1::Look& given, double spacing, const core::Camera& camera) {
     checkSize(surface.size);
+    v1::Scene scene;
+    v1::Look& look = *scene.mutable_look();
+    look = given;
     look.mutable_smoothing()->set_divisor(1);
     const ViewGeometry view = makeViewGeometry(camera, surface.size);
     const SplatScale scale = splatScale(look.splats(), spacing);
@@ -103,20 +120,19 @@ class FluidRenderer::Impl {
     traits.pixelSlope = view.pixelSlope;
     const float largest = std::ranges::max(surface.values);
     traits.nearestDepth = largest > 0.0F ? 1.0F / largest : 1.0F;
-    const v1::Background background;
-    const FramePlan plan = planFrame(look, background, surface.size, traits, {}, device_);
+    const FramePlan plan = planFrame(scene, surface.size, traits, {}, device_);
     hasBackground_ = hasPicture_ = false;
     targets_.fit(plan);
     setUpGl();
-    upload(pictureUniforms_, makeFrameUniforms(view, view, view, scale, plan, look, background));
+    upload(pictureUniforms_, makeFrameUniforms(view, view, view, scale, plan, scene));
     std::ranges::copy(surface.values, targets_.startAnew(Resource::Surface).begin());
     const FrameContext frame{plan,
                              view,
                              view,
                              view,
                              scale,
+                             scene,
                              look,
-                             background,
                              SplatShape::Sphere,
                              {},
                              targets_,
@@ -154,17 +170,16 @@ class FluidRenderer::Impl {
     }
   }
 
-  bool isLastPicture(const core::ParticleSnapshot& particles, const v1::Look& look, const v1::Background& background,
-                     const core::Camera& camera, core::ImageSize size) const {
+  bool isLastPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
+                     core::ImageSize size) const {
     return hasPicture_ && particles.sequence != 0 && particles.sequence == sequence_ &&
            particles.spacing == spacingOf_ && cameraOf_ == camera && targets_.size(Resource::Background) == size &&
-           same(lookOf_, look) && same(backgroundOf_, background);
+           same(sceneOf_, withoutSource(scene));
   }
 
   /// The last frame's picture is still there.
-  core::Frame keepPicture(const core::ParticleSnapshot& particles, const v1::Look& look,
-                          const v1::Background& background, core::ImageSize size) {
-    plan_ = planFrame(look, background, size, {}, {.background = true, .picture = true}, device_).describe();
+  core::Frame keepPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, core::ImageSize size) {
+    plan_ = planFrame(scene, size, {}, {.background = true, .picture = true}, device_).describe();
     return finish(particles, size);
   }
 
@@ -224,9 +239,14 @@ class FluidRenderer::Impl {
     }
   }
 
-  ReuseTraits reuse(const v1::Background& background, const core::Camera& camera, core::ImageSize size) const {
+  ReuseTraits reuse(const v1::Scene& scene, const core::Camera& camera, core::ImageSize size) const {
     return {hasBackground_ && targets_.size(Resource::Background) == size && cameraOf_ == camera &&
-            same(backgroundOf_, background)};
+            sameSurroundings(scene)};
+  }
+
+  bool sameSurroundings(const v1::Scene& scene) const {
+    return same(sceneOf_.background(), scene.background()) && same(sceneOf_.lighting(), scene.lighting()) &&
+           std::ranges::equal(sceneOf_.bodies(), scene.bodies(), same<v1::Body>);
   }
 
   void setUpGl() {
@@ -238,14 +258,13 @@ class FluidRenderer::Impl {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   }
 
-  void castShadowIfNeeded(const FramePlan& plan, const core::ParticleSnapshot& particles,
-                          const v1::Background& background) {
+  void castShadowIfNeeded(const FramePlan& plan, const core::ParticleSnapshot& particles, const v1::Scene& scene) {
     newShadow_ = false;
     if (!plan.runs(Pass::GroundShadow)) return;
     // Of these particles, and not of some that came while no shadow was in the picture.
-    if (!newParticles_ && shadowSequence_ == sequence_ && same(backgroundOf_, background)) return;
+    if (!newParticles_ && shadowSequence_ == sequence_ && sameSurroundings(scene)) return;
     shadow_ = castShadow(particles.positions, static_cast<float>(particles.spacing),
-                         static_cast<float>(background.floor_height()), sunDirection(background));
+                         static_cast<float>(scene.background().floor_height()), sunDirection(scene.lighting().sun()));
     newShadow_ = true;
     shadowSequence_ = sequence_;
   }
@@ -326,8 +345,7 @@ class FluidRenderer::Impl {
 
   std::uint64_t sequence_ = 0;
   bool newParticles_ = false;
-  v1::Background backgroundOf_;
-  v1::Look lookOf_;
+  v1::Scene sceneOf_;  ///< Of the last picture, without its source.
   core::Camera cameraOf_;
   double spacingOf_ = 0;
   bool hasBackground_ = false;
@@ -354,9 +372,9 @@ FluidRenderer::FluidRenderer(gl::Context& context, const DeviceTraits& device)
     : impl_(std::make_unique<Impl>(context, device)) {}
 FluidRenderer::~FluidRenderer() = default;
 
-core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const v1::Look& look,
-                                  const v1::Background& background, const core::Camera& camera, core::ImageSize size) {
-  return impl_->render(particles, look, background, camera, size);
+core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const v1::Scene& scene,
+                                  const core::Camera& camera, core::ImageSize size) {
+  return impl_->render(particles, scene, camera, size);
 }
 
 void FluidRenderer::show(View view) { impl_->show(view); }

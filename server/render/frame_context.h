@@ -19,8 +19,8 @@ struct FrameContext {
   const ViewGeometry& surfaceView;    ///< Of the surface, which may be coarser.
   const ViewGeometry& thicknessView;  ///< Of the thickness, likewise.
   const SplatScale& scale;
-  const v1::Look& look;
-  const v1::Background& background;
+  const v1::Scene& scene;
+  const v1::Look& look;  ///< Of the liquid at hand.
   SplatShape shape;
   const SplatSelection& selection;
   FrameTargets& targets;

@@ -174,12 +174,13 @@ void shareMemory(FramePlan& plan) {
 /// Builds a plan from the top down; one function per part of the frame.
 class Planner {
  public:
-  Planner(const v1::Look& look, const v1::Background& background, core::ImageSize size, const DataTraits& traits,
-          const ReuseTraits& reuse, const DeviceTraits& device)
-      : look_(look),
-        background_(background),
+  Planner(const v1::Scene& scene, core::ImageSize size, const DataTraits& traits, const ReuseTraits& reuse,
+          const DeviceTraits& device)
+      : look_(scene.look()),
+        background_(scene.background()),
+        sun_(scene.lighting().sun()),
         size_(size),
-        surfaceSize_(dividedSize(size, look.smoothing().divisor())),
+        surfaceSize_(dividedSize(size, scene.look().smoothing().divisor())),
         traits_(traits),
         reuse_(reuse) {
     plan_.device = device;
@@ -230,8 +231,8 @@ class Planner {
     if (traits_.splats() + traits_.sprayDrops == 0) return;
     if (!background_.floor()) {
       leaveOut(Pass::GroundShadow, "there is no floor");
-    } else if (background_.shadow() <= 0) {
-      leaveOut(Pass::GroundShadow, "background.shadow is 0");
+    } else if (sun_.shadow() <= 0) {
+      leaveOut(Pass::GroundShadow, "lighting.sun.shadow is 0");
     } else {
       hasShadow_ = true;
       allocate(Resource::Scene, PixelFormat::Srgb8Alpha8, size_);
@@ -338,7 +339,7 @@ class Planner {
     const Resource scene = hasShadow_ ? Resource::Scene : Resource::Background;
     std::vector<Resource> reads{scene, Resource::Surface, Resource::Stencil};
     if (!look_.liquid().opaque()) reads.push_back(Resource::Thickness);
-    if (look_.liquid().specular() <= 0) leaveOut("specular highlight", "look.liquid.specular is 0");
+    if (look_.liquid().physical().specular() <= 0) leaveOut("specular highlight", "look.liquid.physical.specular is 0");
     if (look_.smoothing().divisor() == 1) {
       run(Pass::Composite, std::move(reads), {Resource::Picture});
       leaveOut(Pass::BlendLiquid, "the liquid is as fine as the picture");
@@ -371,6 +372,7 @@ class Planner {
 
   const v1::Look& look_;
   const v1::Background& background_;
+  const v1::Sun& sun_;
   core::ImageSize size_;
   core::ImageSize surfaceSize_;
   const DataTraits& traits_;
@@ -381,9 +383,9 @@ class Planner {
 
 }  // namespace
 
-FramePlan planFrame(const v1::Look& look, const v1::Background& background, core::ImageSize size,
-                    const DataTraits& traits, const ReuseTraits& reuse, const DeviceTraits& device) {
-  FramePlan plan = Planner(look, background, size, traits, reuse, device).plan();
+FramePlan planFrame(const v1::Scene& scene, core::ImageSize size, const DataTraits& traits, const ReuseTraits& reuse,
+                    const DeviceTraits& device) {
+  FramePlan plan = Planner(scene, size, traits, reuse, device).plan();
   shareMemory(plan);
   return plan;
 }

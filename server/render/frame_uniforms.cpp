@@ -25,15 +25,15 @@ SplatScale splatScale(const v1::Splats& splats, double spacing) {
   return scale;
 }
 
-Eigen::Vector3f sunDirection(const v1::Background& background) {
-  const v1::Vec3& sun = background.sun_direction();
-  return Eigen::Vector3d(sun.x(), sun.y(), sun.z()).normalized().cast<float>();
+Eigen::Vector3f sunDirection(const v1::Sun& sun) {
+  const v1::Vec3& direction = sun.direction();
+  return Eigen::Vector3d(direction.x(), direction.y(), direction.z()).normalized().cast<float>();
 }
 
 FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& picture, const ViewGeometry& thickness,
-                                const SplatScale& scale, const FramePlan& plan, const v1::Look& look,
-                                const v1::Background& background) {
-  const v1::Liquid& liquid = look.liquid();
+                                const SplatScale& scale, const FramePlan& plan, const v1::Scene& scene) {
+  const v1::Liquid& liquid = scene.look().liquid();
+  const v1::Background& background = scene.background();
   const auto width = static_cast<float>(view.size.width);
   const auto height = static_cast<float>(view.size.height);
   FrameUniforms u{};
@@ -47,13 +47,13 @@ FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& pi
                     background.floor() ? 1.0F : 0.0F, static_cast<float>(background.haze_distance())};
   u.tileLight = pack(background.tile_light());
   u.tileDark = pack(background.tile_dark());
-  u.skyZenith = pack(background.sky_zenith());
-  u.skyHorizon = pack(background.sky_horizon());
-  u.sun = pack(sunDirection(background), 0.0F);
+  u.skyZenith = pack(background.sky().zenith());
+  u.skyHorizon = pack(background.sky().horizon());
+  u.sun = pack(sunDirection(scene.lighting().sun()), 0.0F);
   u.absorptionAndIndex = pack(liquid.absorption(), liquid.refractive_index());
-  u.scatterAndGloss = pack(liquid.scatter_colour(), liquid.shininess());
-  u.colourAndSpecular = pack(liquid.colour(), liquid.specular());
-  u.shadow = {static_cast<float>(background.shadow()), 0.0F, 0.0F, 0.0F};
+  u.scatterAndGloss = pack(liquid.scatter_colour(), liquid.physical().roughness());
+  u.colourAndSpecular = pack(liquid.colour(), liquid.physical().specular());
+  u.shadow = {static_cast<float>(scene.lighting().sun().shadow()), 0.0F, 0.0F, 0.0F};
   u.otherSlopes = {picture.maxSlope.x(), picture.maxSlope.y(), thickness.maxSlope.x(), thickness.maxSlope.y()};
   return u;
 }

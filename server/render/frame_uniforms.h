@@ -43,12 +43,11 @@ struct SplatScale {
 SplatScale splatScale(const v1::Splats& splats, double spacing);
 
 /// Unit vector towards the sun.
-Eigen::Vector3f sunDirection(const v1::Background& background);
+Eigen::Vector3f sunDirection(const v1::Sun& sun);
 
 /// Everything but the shadow map's place, which is left 0. `target` is the view that is drawn into, `picture` and
 /// `thickness` those of two buffers that its passes read.
 FrameUniforms makeFrameUniforms(const ViewGeometry& target, const ViewGeometry& picture, const ViewGeometry& thickness,
-                                const SplatScale& scale, const FramePlan& plan, const v1::Look& look,
-                                const v1::Background& background);
+                                const SplatScale& scale, const FramePlan& plan, const v1::Scene& scene);
 
 }  // namespace sluice::render

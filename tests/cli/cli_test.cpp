@@ -98,7 +98,7 @@ TEST_F(Cli, SetChangesAllThatIsGiven) {
 
 TEST_F(Cli, SetRefusedChangesNothing) {
   const Json before = info()["scene"];
-  const Outcome outcome = sluice({"set", "look.liquid.shininess=50", "look.smoothing.time=-1"});
+  const Outcome outcome = sluice({"set", "look.liquid.physical.roughness=0.2", "look.smoothing.time=-1"});
   EXPECT_EQ(outcome.exitCode, 1);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("look.smoothing.time"), HasSubstr("-1"), HasSubstr("50")))
       << "the field, the value, and what is allowed";

@@ -60,9 +60,9 @@ TEST_F(Gate, BuffersThatShareMemoryDoNotDisturbEachOther) {
 TEST_F(Gate, KeptShadowIsTheSame) {
   particles.sequence = 1;
   const core::Frame first = render(particles, camera, size);
-  look.mutable_liquid()->set_specular(0.999);
+  look.mutable_liquid()->mutable_physical()->set_specular(0.999);
   render(particles, camera, size);
-  look.mutable_liquid()->set_specular(1);
+  look.mutable_liquid()->mutable_physical()->set_specular(1);
   const core::Frame kept = render(particles, camera, size);
   particles.sequence = 2;
   const core::Frame again = render(particles, camera, size);
@@ -109,27 +109,27 @@ TEST_F(Gate, NoSmoothingEqualsSmoothingByNothing) {
 
 TEST_F(Gate, HighlightWithoutSunlightIsTheSame) {
   // With the sun below the horizon no surface that faces up or to the eye catches its highlight.
-  background.mutable_sun_direction()->set_x(0);
-  background.mutable_sun_direction()->set_y(-1);
-  background.mutable_sun_direction()->set_z(-1);
+  sun.mutable_direction()->set_x(0);
+  sun.mutable_direction()->set_y(-1);
+  sun.mutable_direction()->set_z(-1);
   core::Camera above = camera;
   above.eye = {0.8F, 2.5F, 0.6F};
   const core::ParticleSnapshot flat = slab(0.0F, 0.5F, 0.05F);
   core::ParticleSnapshot pool = flat;
   for (Eigen::Vector3f& p : pool.positions) p = {p.x() + 0.8F, 0.1F + 0.5F * p.z(), p.y() + 0.6F};
   above.target = {0.8F, 0.0F, 0.5F};
-  look.mutable_liquid()->set_specular(0);
+  look.mutable_liquid()->mutable_physical()->set_specular(0);
   const core::Frame without = render(pool, above, size);
-  look.mutable_liquid()->set_specular(1e-30);
+  look.mutable_liquid()->mutable_physical()->set_specular(1e-30);
   const core::Frame with = render(pool, above, size);
   EXPECT_EQ(without.pixels, with.pixels);
 }
 
 TEST_F(Gate, ShadowOfNoStrengthIsTheSame) {
-  background.set_shadow(0);
+  sun.set_shadow(0);
   const core::Frame without = render(particles, camera, size);
   EXPECT_FALSE(ran("ground shadow"));
-  background.set_shadow(1e-9);
+  sun.set_shadow(1e-9);
   const core::Frame with = render(particles, camera, size);
   EXPECT_TRUE(ran("ground shadow"));
   EXPECT_EQ(without.pixels, with.pixels);

@@ -46,7 +46,7 @@ TEST_P(SplatShapes, AreTheSameWithGlAloneAndWithout) {
     for (const double time : {0.0, 0.001}) {
       look.mutable_smoothing()->set_time(time);
       render(particles, camera, size);
-      onGpu.render(particles, look, background, camera, size);
+      onGpu.render(particles, scene, camera, size);
       expectAlike(renderer.readBuffer(Resource::Surface), onGpu.readBuffer(Resource::Surface), 1e-4, 30);
       expectAlike(renderer.readBuffer(Resource::Thickness), onGpu.readBuffer(Resource::Thickness), 1e-3, 10);
     }
@@ -119,7 +119,7 @@ class Spray : public RenderTest {
 };
 
 TEST_F(Spray, IsNeitherSurfaceNorThickness) {
-  background.set_shadow(0);
+  sun.set_shadow(0);
   const core::ParticleSnapshot particles = slabAndStray(1.0F);
   const core::Frame with = render(particles, alongZ(), size);
   EXPECT_TRUE(ran("spray"));
@@ -136,7 +136,7 @@ TEST_F(Spray, IsNeitherSurfaceNorThickness) {
 }
 
 TEST_F(Spray, BehindTheLiquidIsHidden) {
-  background.set_shadow(0);
+  sun.set_shadow(0);
   for (const unsigned divisor : {1U, 2U}) {
     look.mutable_smoothing()->set_divisor(divisor);
     const core::Frame with = render(slabAndStray(3.0F), alongZ(), size);
@@ -147,7 +147,7 @@ TEST_F(Spray, BehindTheLiquidIsHidden) {
 
 TEST_F(Spray, SinksIntoTheLiquidWithoutAnEdge) {
   // The drop's middle goes through the surface: what it adds fades away little by little.
-  background.set_shadow(0);
+  sun.set_shadow(0);
   std::size_t before = 1U << 20;
   int steps = 0;
   for (float depth = 1.85F; depth < 2.05F; depth += 0.01F) {
@@ -173,7 +173,7 @@ TEST_F(Spray, AloneIsDrawnOverTheScene) {
 
 TEST_F(Spray, FarDropsThinOutInsteadOfGrowing) {
   // Smaller than a pixel, drops fade; the sum of what they add goes down with the square of the distance.
-  background.set_shadow(0);
+  sun.set_shadow(0);
   background.set_floor(false);
   const auto added = [&](float depth) {
     core::ParticleSnapshot drops = cloud({}, 0.06);

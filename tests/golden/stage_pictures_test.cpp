@@ -118,7 +118,7 @@ TEST_F(Golden, CompositeOpaque) {
 
 TEST_F(Golden, GroundShadow) {
   // From high up, with much shadow and the liquid all but invisible.
-  background.set_shadow(1);
+  sun.set_shadow(1);
   camera.eye = {-1.5F, 2.0F, -1.5F};
   EXPECT_EQ(compareWithGolden("ground_shadow", draw()), "");
 }

@@ -17,17 +17,14 @@ namespace sluice::testing {
 /// A renderer on a context that reports errors, every one of which fails the test.
 class RenderTest : public ::testing::Test {
  protected:
-  RenderTest() {
-    scene::complete(look);
-    scene::complete(background);
-  }
+  RenderTest() { scene::complete(scene); }
 
   void TearDown() override {
     for (const std::string& message : messages_.take()) ADD_FAILURE() << "GL: " << message;
   }
 
   core::Frame render(const core::ParticleSnapshot& particles, const core::Camera& camera, core::ImageSize size) {
-    return renderer.render(particles, look, background, camera, size);
+    return renderer.render(particles, scene, camera, size);
   }
 
   static core::ParticleSnapshot cloud(std::vector<Eigen::Vector3f> positions, double spacing) {
@@ -54,8 +51,10 @@ class RenderTest : public ::testing::Test {
   gl::DebugMessages messages_;
 
  protected:
-  v1::Look look;
-  v1::Background background;
+  v1::Scene scene;
+  v1::Look& look = *scene.mutable_look();
+  v1::Background& background = *scene.mutable_background();
+  v1::Sun& sun = *scene.mutable_lighting()->mutable_sun();
   render::FluidRenderer renderer{*context_};
 };
 

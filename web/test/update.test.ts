@@ -26,7 +26,7 @@ describe("updateFor", () => {
   });
 
   test("takes vectors whole", () => {
-    const { scene } = update({ path: "background.sun_direction", value: { x: 0, y: 1, z: 0.5 } });
+    const { scene } = update({ path: "lighting.sun.direction", value: { x: 0, y: 1, z: 0.5 } });
     expect(scene?.background?.sunDirection).toMatchObject({ x: 0, y: 1, z: 0.5 });
   });
 

@@ -42,7 +42,7 @@ class Side {
     if (motion_.camera) camera_ = turned(camera_, kTurnDegrees);
     if (motion_.particles) ++particles_->sequence;
     const auto start = Clock::now();
-    renderer_.render(*particles_, scene_.look(), scene_.background(), camera_, kSize);
+    renderer_.render(*particles_, scene_, camera_, kSize);
     milliseconds_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     std::int64_t bytes = 0;
     for (const core::PlannedBuffer& buffer : renderer_.plan().buffers) bytes += static_cast<std::int64_t>(buffer.bytes);

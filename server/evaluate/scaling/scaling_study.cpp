@@ -82,7 +82,7 @@ class ScalingStudy {
       camera = turned(camera, kTurnDegrees);
       snapshot->sequence = static_cast<std::uint64_t>(i) + 1;  // as from a running simulation
       const auto start = Clock::now();
-      const core::Frame frame = renderer.render(*snapshot, scene_.look(), scene_.background(), camera, size);
+      const core::Frame frame = renderer.render(*snapshot, scene_, camera, size);
       const double whole = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
       if (i == 0) continue;  // warms up
       times[kFrame].push_back(whole);

@@ -19,7 +19,7 @@ struct TimedFrame {
 TimedFrame drawTimed(render::FluidRenderer& renderer, const core::ParticleSnapshot& particles, const Setting& setting) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  core::Frame frame = renderer.render(particles, setting.look, setting.background, setting.camera, setting.size);
+  core::Frame frame = renderer.render(particles, setting.scene, setting.camera, setting.size);
   return {std::move(frame), std::chrono::duration<double, std::milli>(Clock::now() - start).count()};
 }
 

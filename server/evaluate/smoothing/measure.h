@@ -12,8 +12,7 @@ namespace sluice::evaluate {
 
 /// A picture to draw.
 struct Setting {
-  v1::Look look;
-  v1::Background background;
+  v1::Scene scene;
   core::Camera camera;
   core::ImageSize size;
 };

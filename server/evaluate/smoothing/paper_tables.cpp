@@ -121,7 +121,9 @@ class TableStudy {
   }
 
   Row measure(const std::string& setting, const v1::Look& look, const SmoothingMethod& method) {
-    const Setting picture{look, scene_.background(), scene::toCamera(scene_.camera()), {1024, 768}};
+    v1::Scene drawn = scene_;
+    *drawn.mutable_look() = look;
+    const Setting picture{std::move(drawn), scene::toCamera(scene_.camera()), {1024, 768}};
     // The paper's scenes share settings, which are measured once.
     const std::string key = look.SerializeAsString();
     const auto known = measured_.find(key);

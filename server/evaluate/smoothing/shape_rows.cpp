@@ -42,9 +42,9 @@ class ShapeStudy {
 
  private:
   Setting setting(const v1::Smoothing& smoothing, int divisor) const {
-    Setting setting{scene_.look(), scene_.background(), subject_.camera, sweep_.size};
-    *setting.look.mutable_smoothing() = smoothing;
-    setSmoothingDivisor(*setting.look.mutable_smoothing(), divisor);
+    Setting setting{scene_, subject_.camera, sweep_.size};
+    *setting.scene.mutable_look()->mutable_smoothing() = smoothing;
+    setSmoothingDivisor(*setting.scene.mutable_look()->mutable_smoothing(), divisor);
     return setting;
   }
 

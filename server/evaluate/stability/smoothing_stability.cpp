@@ -61,7 +61,7 @@ class StabilityCases {
     chooseMethod(smoothing, method.name);
     smoothing.set_time(strength);
     const CameraCase plain = cameraCases().front();
-    renderer_.render(plain.particles, look_, scene_.background(), plain.camera, plain.size);
+    renderer_.render(plain.particles, with(look_), plain.camera, plain.size);
     const core::Plan& plan = renderer_.plan();
     return std::ranges::find(plan.stages, method.stage(), &core::PlannedStage::name) != plan.stages.end();
   }
@@ -95,7 +95,7 @@ class StabilityCases {
   void runCameraCases(const SmoothingMethod& method, double strength) {
     for (const CameraCase& cameraCase : cameraCases()) {
       const auto surface = [&](const v1::Look& look) {
-        renderer_.render(cameraCase.particles, look, scene_.background(), cameraCase.camera, cameraCase.size);
+        renderer_.render(cameraCase.particles, with(look), cameraCase.camera, cameraCase.size);
         return renderer_.readBuffer(render::Resource::Surface);
       };
       v1::Look raw = look_;
@@ -144,6 +144,12 @@ class StabilityCases {
   std::unique_ptr<gl::Context> context_;
   render::FluidRenderer renderer_;
   v1::Scene scene_;
+  v1::Scene with(const v1::Look& look) const {
+    v1::Scene scene = scene_;
+    *scene.mutable_look() = look;
+    return scene;
+  }
+
   v1::Look look_;
   std::vector<Row> rows_;
 };

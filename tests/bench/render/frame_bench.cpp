@@ -15,19 +15,17 @@ namespace {
 void frame(benchmark::State& state, void (*choose)(v1::Look&)) {
   const std::unique_ptr<gl::Context> context = gl::Context::create();
   render::FluidRenderer renderer(*context);
-  v1::Look look;
-  choose(look);
-  scene::complete(look);
-  v1::Background background;
-  scene::complete(background);
+  v1::Scene scene;
+  choose(*scene.mutable_look());
+  scene::complete(scene);
   core::ParticleSnapshot particles = testing::columnAndSheet(static_cast<std::size_t>(state.range(0)));
   core::Camera camera = testing::columnAndSheetCamera();
   std::map<std::string, double> passes;
-  renderer.render(particles, look, background, camera, {1024, 768});
+  renderer.render(particles, scene, camera, {1024, 768});
   for (auto _ : state) {
     camera.eye.x() += 1e-4F;
     ++particles.sequence;
-    const core::Frame picture = renderer.render(particles, look, background, camera, {1024, 768});
+    const core::Frame picture = renderer.render(particles, scene, camera, {1024, 768});
     for (const core::StageTime& stage : picture.tag.stages) passes[stage.name] += stage.milliseconds;
   }
   for (const auto& [pass, milliseconds] : passes) {

@@ -17,19 +17,20 @@ using ::testing::Not;
 class FramePlanTest : public ::testing::Test {
  protected:
   FramePlanTest() {
-    scene::complete(look);
-    scene::complete(background);
+    scene::complete(scene);
     traits.spacing = 0.02;
     traits.points = 1000;
     traits.nearestDepth = 2;
     traits.pixelSlope = 1e-3;
   }
 
-  FramePlan plan() const { return planFrame(look, background, {640, 480}, traits, reuse, device); }
+  FramePlan plan() const { return planFrame(scene, {640, 480}, traits, reuse, device); }
   static auto names(std::string_view name) { return Contains(Field(&core::LeftOut::name, std::string(name))); }
 
-  v1::Look look;
-  v1::Background background;
+  v1::Scene scene;
+  v1::Look& look = *scene.mutable_look();
+  v1::Background& background = *scene.mutable_background();
+  v1::Sun& sun = *scene.mutable_lighting()->mutable_sun();
   DataTraits traits;
   ReuseTraits reuse;
   DeviceTraits device;
@@ -148,7 +149,7 @@ TEST_F(FramePlanTest, ShadowNeedsFloorAndStrength) {
   background.set_floor(false);
   EXPECT_FALSE(plan().runs(Pass::GroundShadow));
   background.set_floor(true);
-  background.set_shadow(0);
+  sun.set_shadow(0);
   const FramePlan p = plan();
   EXPECT_FALSE(p.runs(Pass::GroundShadow));
   EXPECT_EQ(p.buffer(Resource::Scene), nullptr);
@@ -205,7 +206,7 @@ TEST_F(FramePlanTest, InteriorParticlesNeedNeighbourCountsAndClosedSplats) {
 }
 
 TEST_F(FramePlanTest, HighlightOfStrengthZeroIsLeftOut) {
-  look.mutable_liquid()->set_specular(0);
+  look.mutable_liquid()->mutable_physical()->set_specular(0);
   EXPECT_THAT(plan().leftOut, names("specular highlight"));
 }
 

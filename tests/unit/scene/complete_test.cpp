@@ -16,10 +16,10 @@ TEST(Complete, WritesEveryDefaultOut) {
 TEST(Complete, KeepsWhatIsSet) {
   v1::Liquid liquid;
   liquid.set_refractive_index(2);
-  liquid.set_specular(0);
+  liquid.mutable_physical()->set_specular(0);
   complete(liquid);
   EXPECT_EQ(liquid.refractive_index(), 2);
-  EXPECT_EQ(liquid.specular(), 0);
+  EXPECT_EQ(liquid.physical().specular(), 0);
 }
 
 TEST(Complete, GivesZeroToTheOtherComponentsOfAVector) {

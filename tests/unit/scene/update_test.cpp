@@ -16,10 +16,10 @@ FieldMask maskOf(std::initializer_list<const char*> paths) {
 TEST(Update, TakesOnlyWhatTheMaskNames) {
   v1::Scene partial;
   partial.mutable_look()->mutable_smoothing()->set_time(3);
-  partial.mutable_look()->mutable_liquid()->set_specular(0);
+  partial.mutable_look()->mutable_liquid()->mutable_physical()->set_specular(0);
   const Update update = applyUpdate(smallScene(), partial, maskOf({"look.smoothing.time"}));
   EXPECT_EQ(update.scene.look().smoothing().time(), 3);
-  EXPECT_EQ(update.scene.look().liquid().specular(), 1);
+  EXPECT_EQ(update.scene.look().liquid().physical().specular(), 1);
   EXPECT_FALSE(update.restart);
 }
 

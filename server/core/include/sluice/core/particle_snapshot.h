@@ -24,6 +24,26 @@ struct StepStatistics {
   StageTimes stages;            ///< Milliseconds of each stage of the last step.
 };
 
+/// What a secondary particle is: it moves, ages and looks accordingly.
+enum class DiffuseKind : std::uint8_t { Spray, Foam, Bubble };
+
+/// Secondary particles of air and water, far smaller than those of the liquid. Every array has one element for each.
+struct DiffuseParticles {
+  std::vector<Eigen::Vector3f> positions;   ///< m; finite.
+  std::vector<Eigen::Vector3f> velocities;  ///< m/s.
+  std::vector<DiffuseKind> kinds;
+  std::vector<float> remaining;    ///< Share of its lifetime that is left, (0, 1].
+  std::vector<std::uint32_t> ids;  ///< Stable over time.
+
+  std::size_t size() const { return positions.size(); }
+};
+
+/// Where a body of the scene is.
+struct BodyPose {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< m.
+  Eigen::Quaternionf rotation = Eigen::Quaternionf::Identity();
+};
+
 /// The particles at one moment, frozen: made by one thread, read by any. Structure of arrays; every array is either
 /// empty (the source does not know it) or has one element per particle, and all arrays share one order.
 struct ParticleSnapshot {
@@ -36,9 +56,15 @@ struct ParticleSnapshot {
   std::vector<Eigen::Vector3f> velocities;  ///< m/s.
   std::vector<float> densities;             ///< kg/m³.
   std::vector<std::uint32_t> ids;           ///< Stable over time, whatever the order of the arrays.
+  std::vector<float> pressures;             ///< Pa.
+  std::vector<float> ages;                  ///< Time since the particle came into the scene, s.
+  std::vector<std::uint8_t> fluids;         ///< Which fluid it is of; empty where there is but one.
 
   double supportRadius = 0;               ///< Distance up to which `neighbours` counts, m.
   std::vector<std::uint16_t> neighbours;  ///< Other particles of the fluid, walls not among them.
+
+  DiffuseParticles diffuse;      ///< Empty where the scene has no foam.
+  std::vector<BodyPose> bodies;  ///< One for each body of the scene, or empty: all stand where the scene puts them.
 
   /// Axis-aligned bounds of `positions`; empty for no particles.
   Eigen::AlignedBox3f bounds;

@@ -36,10 +36,10 @@ class FluidRenderer {
   FluidRenderer(const FluidRenderer&) = delete;
   FluidRenderer& operator=(const FluidRenderer&) = delete;
 
-  /// Plans and draws one picture. `look` and `background` belong to a complete, valid scene. The frame's tag carries
-  /// the time of every pass and of the read-back; the caller fills in the rest of it.
-  core::Frame render(const core::ParticleSnapshot& particles, const v1::Look& look, const v1::Background& background,
-                     const core::Camera& camera, core::ImageSize size);
+  /// Plans and draws one picture of a complete, valid scene. The frame's tag carries the time of every pass and of the
+  /// read-back; the caller fills in the rest of it.
+  core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
+                     core::ImageSize size);
 
   /// What the pictures from now on show.
   void show(View view);

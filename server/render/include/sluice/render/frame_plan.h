@@ -146,8 +146,8 @@ struct FramePlan {
 /// The picture's size divided by 1, 2 or 4, rounded up.
 core::ImageSize dividedSize(core::ImageSize size, unsigned divisor);
 
-/// Pure: the same arguments give the same plan. `look` and `background` are complete and valid.
-FramePlan planFrame(const v1::Look& look, const v1::Background& background, core::ImageSize size,
-                    const DataTraits& traits, const ReuseTraits& reuse, const DeviceTraits& device = {});
+/// Pure: the same arguments give the same plan. `scene` is complete and valid.
+FramePlan planFrame(const v1::Scene& scene, core::ImageSize size, const DataTraits& traits, const ReuseTraits& reuse,
+                    const DeviceTraits& device = {});
 
 }  // namespace sluice::render
