@@ -17,6 +17,7 @@ void addRenderCommand(CLI::App& program, Command& chosen);
 void addSimulateCommand(CLI::App& program, Command& chosen);
 void addPlanCommand(CLI::App& program, Command& chosen);
 void addEvaluateCommand(CLI::App& program, Command& chosen);
+void addGalleryCommand(CLI::App& program, Command& chosen);
 void addScenesCommand(CLI::App& program, Command& chosen);
 void addParametersCommand(CLI::App& program, Command& chosen);
 

@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   app::addSimulateCommand(program, chosen);
   app::addPlanCommand(program, chosen);
   app::addEvaluateCommand(program, chosen);
+  app::addGalleryCommand(program, chosen);
   app::addScenesCommand(program, chosen);
   app::addParametersCommand(program, chosen);
 
