@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   app::addPlanCommand(program, chosen);
   app::addEvaluateCommand(program, chosen);
   app::addScenesCommand(program, chosen);
+  app::addLooksCommand(program, chosen);
   app::addParametersCommand(program, chosen);
 
   try {
