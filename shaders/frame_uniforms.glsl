@@ -11,6 +11,7 @@ layout(std140, binding = 0) uniform FrameUniforms {
   vec4 skyZenith;
   vec4 skyHorizon;
   vec4 sun;                // unit vector towards the sun
+  vec4 sunlight;           // radiance of a white surface that faces the sun
   vec4 shadow;             // strength; least x and z of the shadow map, m; its edge, m
   vec4 pictureSlopes;      // largest |W_x|, |W_y| of the picture
 } frame;

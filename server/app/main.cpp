@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   app::addEvaluateCommand(program, chosen);
   app::addGalleryCommand(program, chosen);
   app::addScenesCommand(program, chosen);
+  app::addLooksCommand(program, chosen);
   app::addParametersCommand(program, chosen);
 
   try {

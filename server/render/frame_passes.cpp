@@ -24,6 +24,10 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return thickness_.runLarge(frame);
     case Pass::SmoothThickness:
       return smoothThickness_.run(frame);
+    case Pass::BackSplats:
+      return backSplats_.run(frame);
+    case Pass::BackSmoothing:
+      return smoothing_.runOnBack(frame);
     case Pass::BeginPicture:
       return copy(frame, sceneOf(frame), Resource::Picture);
     case Pass::ExtendScene:

@@ -30,6 +30,7 @@ class FramePasses {
   SmoothingPass smoothing_;
   ThicknessPass thickness_;
   SmoothThicknessPass smoothThickness_;
+  BackSplatsPass backSplats_;
   CompositePass composite_;
   BlendLiquidPass blendLiquid_;
   SprayPass spray_;

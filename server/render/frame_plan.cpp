@@ -28,6 +28,10 @@ std::string_view name(Pass pass) {
       return "large thickness";
     case Pass::SmoothThickness:
       return "smooth thickness";
+    case Pass::BackSplats:
+      return "back splats";
+    case Pass::BackSmoothing:
+      return "back smoothing";
     case Pass::BeginPicture:
       return "begin picture";
     case Pass::ExtendScene:
@@ -66,6 +70,10 @@ std::string_view name(Resource resource) {
       return "surface scratch 3";
     case Resource::SurfaceScratch4:
       return "surface scratch 4";
+    case Resource::BackSurface:
+      return "back surface";
+    case Resource::BackDepth:
+      return "back depth";
     case Resource::Stencil:
       return "stencil";
     case Resource::Thickness:
@@ -83,7 +91,8 @@ std::string_view name(Resource resource) {
 }
 
 bool isSurface(Resource resource) {
-  return resource == Resource::Surface || std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
+  return resource == Resource::Surface || resource == Resource::BackSurface || resource == Resource::BackDepth ||
+         std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
 }
 
 bool isOfLiquid(Resource resource) {

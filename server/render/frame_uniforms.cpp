@@ -38,6 +38,10 @@ FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& pi
   u.skyZenith = pack(background.sky().zenith());
   u.skyHorizon = pack(background.sky().horizon());
   u.sun = pack(sunDirection(scene.lighting().sun()), 0.0F);
+  const v1::Sun& sun = scene.lighting().sun();
+  const auto strength = static_cast<float>(sun.strength());
+  u.sunlight = {strength * static_cast<float>(sun.colour().x()), strength * static_cast<float>(sun.colour().y()),
+                strength * static_cast<float>(sun.colour().z()), 0.0F};
   u.shadow = {static_cast<float>(scene.lighting().sun().shadow()), 0.0F, 0.0F, 0.0F};
   u.pictureSlopes = {picture.maxSlope.x(), picture.maxSlope.y(), 0.0F, 0.0F};
   return u;

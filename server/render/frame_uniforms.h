@@ -24,6 +24,7 @@ struct FrameUniforms {
   Vec4 skyZenith;
   Vec4 skyHorizon;
   Vec4 sun;
+  Vec4 sunlight;
   Vec4 shadow;
   Vec4 pictureSlopes;
 };

@@ -21,7 +21,7 @@ void GroundShadowPass::run(const FrameContext& frame, const ShadowMap& map, bool
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_ZERO, GL_SRC_COLOR);
   glBindTextureUnit(0, texture_.name());
-  glUseProgram((frame.look.liquid().opaque() ? opaque_ : clear_).name());
+  glUseProgram((isOpaque(frame.look.liquid()) ? opaque_ : clear_).name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 

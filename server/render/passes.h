@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "composite_variant.h"
 #include "frame_context.h"
 #include "shadow_map.h"
 #include "sluice/render/fluid_renderer.h"
@@ -84,24 +85,27 @@ class MaskPass {
   gl::Program program_;
 };
 
-/// Whatever method the look chooses; each is made when it is first used.
-class SmoothingPass {
+/// The farthest side of the liquid's splats.
+class BackSplatsPass {
  public:
   void run(const FrameContext& frame);
 
  private:
-  std::map<v1::Smoothing::MethodCase, std::unique_ptr<SmoothingMethod>> methods_;
+  void draw(const FrameContext& frame, Resource depth, bool large);
+
+  SplatPrograms programs_{"back_splats.frag"};
+  std::optional<gl::Program> invert_;
 };
 
-/// Which parts of the composite's shader a scene needs.
-struct CompositeVariant {
-  bool opaque = false;
-  bool specular = false;
-  bool normals = false;
-  bool layered = false;
+/// Whatever method the look chooses; each is made when it is first used.
+class SmoothingPass {
+ public:
+  void run(const FrameContext& frame);
+  /// The same for the back of the liquid.
+  void runOnBack(const FrameContext& frame);
 
-  auto operator<=>(const CompositeVariant&) const = default;
-  std::vector<std::string_view> defines() const;
+ private:
+  std::map<v1::Smoothing::MethodCase, std::unique_ptr<SmoothingMethod>> methods_;
 };
 
 /// The liquid over the scene, or where it is coarser than the picture, by itself.

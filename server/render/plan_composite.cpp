@@ -1,3 +1,4 @@
+#include "composite_variant.h"
 #include "planner.h"
 
 namespace sluice::render {
@@ -28,10 +29,9 @@ void Planner::planComposites() {
 void Planner::planComposite(int layer) {
   const v1::Liquid& liquid = look().liquid();
   std::vector<Resource> reads{sceneUnderLiquid(), Resource::Surface, Resource::Stencil};
-  if (!liquid.opaque()) reads.push_back(Resource::Thickness);
-  if (layer == 0 && liquid.physical().specular() <= 0) {
-    leaveOut("specular highlight", "look.liquid.physical.specular is 0");
-  }
+  if (!isOpaque(liquid)) reads.push_back(Resource::Thickness);
+  if (refractionOf(liquid) == Refraction::TwoInterfaces) reads.push_back(Resource::BackSurface);
+  if (layer == 0) leaveOutOptics();
   if (look().smoothing().divisor() == 1) {
     run(Pass::Composite, std::string(name(Pass::Composite)), reads, {Resource::Picture}, 1, layer);
     if (layer == 0) leaveOut(Pass::BlendLiquid, "the liquid is as fine as the picture");
@@ -41,6 +41,17 @@ void Planner::planComposite(int layer) {
     run(Pass::BlendLiquid, std::string(name(Pass::BlendLiquid)), {sceneUnderLiquid(), Resource::Liquid},
         {Resource::Picture}, 1, layer);
   }
+}
+
+void Planner::leaveOutOptics() {
+  const v1::Liquid& liquid = look().liquid();
+  const v1::Lighting& lighting = scene_.lighting();
+  if (!hasHighlight(liquid, lighting)) {
+    const char* const specular =
+        liquid.has_phong() ? "look.liquid.phong.specular is 0" : "look.liquid.physical.specular is 0";
+    leaveOut("specular highlight", lighting.sun().strength() > 0 ? specular : "lighting.sun.strength is 0");
+  }
+  if (liquid.has_no_reflection()) leaveOut("reflection", "look.liquid.no_reflection is chosen");
 }
 
 void Planner::planSpray() {

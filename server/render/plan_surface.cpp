@@ -2,6 +2,7 @@
 #include <iterator>
 #include <span>
 
+#include "composite_variant.h"
 #include "interior_particles.h"
 #include "planner.h"
 #include "smoothing/smoothing_method.h"
@@ -12,6 +13,7 @@ void Planner::planSurface() {
   planSplats();
   planSmoothing();
   planThickness();
+  planBackSurface();
 }
 
 void Planner::planSplats() {
@@ -86,9 +88,10 @@ void Planner::planSmoothing() {
 }
 
 void Planner::planThickness() {
-  if (look().liquid().opaque()) {
-    leaveOut(Pass::Thickness, "the liquid is opaque");
-    leaveOut("refraction", "the liquid is opaque");
+  if (isOpaque(look().liquid())) {
+    const char* const reason = look().liquid().has_metal() ? "the liquid is a metal" : "the liquid is opaque";
+    leaveOut(Pass::Thickness, reason);
+    leaveOut("refraction", reason);
     return;
   }
   allocate(Resource::Thickness, PixelFormat::R32f, thicknessSize());

@@ -29,10 +29,13 @@ class Planner {
   void planMask();
   void planSmoothing();
   void planThickness();
+  // plan_back_surface.cpp
+  void planBackSurface();
   // plan_composite.cpp
   void beginPicture();
   void planComposites();
   void planComposite(int layer);
+  void leaveOutOptics();
   void planSpray();
   void planToneMap();
 

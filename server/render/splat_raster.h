@@ -23,6 +23,13 @@ class SplatRaster {
   /// The same for discs about the spheres' centres, parallel to the picture.
   void drawDiscDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, std::span<float> q);
 
+  /// The farthest sides: z = the largest depth at which a line of sight leaves a splat, m, or 0 where there is none.
+  void drawBackDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, float rimDepth,
+                     std::span<float> z);
+  void drawBackDepth(std::span<const ViewEllipsoid> ellipsoids, const ViewGeometry& target, float rimDepth,
+                     std::span<float> z);
+  void drawDiscBackDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, std::span<float> z);
+
   /// thickness += κ·(length of the line of sight inside) for every splat, where κ is a particle's volume, m³, over the
   /// splat's.
   void drawThickness(std::span<const ViewSphere> spheres, const ViewGeometry& target, float particleVolume,
@@ -38,10 +45,13 @@ class SplatRaster {
   template <class Splat>
   void bin(std::span<const Splat> splats, const ViewGeometry& target);
   template <class DrawStrip>
-  void forEachStrip(const ViewGeometry& target, const DrawStrip& drawStrip);
+  void forEachStrip(const ViewGeometry& target, float empty, const DrawStrip& drawStrip);
   template <class Splat, class DrawRows, class FinishRow>
-  void draw(std::span<const Splat> splats, const ViewGeometry& target, const DrawRows& drawRows,
+  void draw(std::span<const Splat> splats, const ViewGeometry& target, float empty, const DrawRows& drawRows,
             const FinishRow& finishRow);
+  template <class Splat, class DrawRows>
+  void drawBacks(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> z,
+                 const DrawRows& drawRows);
   template <class Splat, class DrawRows>
   void drawFronts(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> q,
                   const DrawRows& drawRows);

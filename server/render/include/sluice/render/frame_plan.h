@@ -28,6 +28,8 @@ enum class Pass : std::uint8_t {
   Thickness,
   LargeThickness,
   SmoothThickness,
+  BackSplats,
+  BackSmoothing,
   BeginPicture,
   ExtendScene,
   Composite,
@@ -48,8 +50,10 @@ enum class Resource : std::uint8_t {
   SurfaceScratch2,
   SurfaceScratch3,
   SurfaceScratch4,
-  Stencil,    ///< 1 where there is liquid.
-  Thickness,  ///< Liquid along the line of sight, m.
+  BackSurface,  ///< Inverse eye depth of the liquid's farthest side; 0 where there is no liquid.
+  BackDepth,    ///< The same as a depth, where a GPU draws it.
+  Stencil,      ///< 1 where there is liquid.
+  Thickness,    ///< Liquid along the line of sight, m.
   ThicknessScratch,
   Liquid,   ///< The shaded liquid alone, where it is drawn smaller than the picture.
   Picture,  ///< Scene and liquid in linear light.
@@ -61,7 +65,7 @@ enum class Resource : std::uint8_t {
 inline constexpr std::array kSurfaceScratch{Resource::SurfaceScratch, Resource::SurfaceScratch2,
                                             Resource::SurfaceScratch3, Resource::SurfaceScratch4};
 
-/// The surface, or one of its scratch buffers.
+/// The surface, its back, or one of its scratch buffers.
 bool isSurface(Resource resource);
 
 /// Whether every liquid has one of its own.
