@@ -24,7 +24,7 @@ struct Limits {
 constexpr float kFullWeight = 8.38F;
 
 /// Of the mean approach within h over U. Their 5 to 20 m/s are sums over such a neighbourhood, in flows of 10 m/s.
-constexpr Limits kTrappedAir{0.06F, 0.24F};
+constexpr Limits kTrappedAir{0.1F, 0.4F};
 /// Of the mean of 1 - n_i·n_j over the surface within h: bends by 40° and by 80°. Particles' disorder alone bends a
 /// flat surface by 20°.
 constexpr Limits kWaveCrest{0.25F, 0.8F};
@@ -32,9 +32,9 @@ constexpr Limits kWaveCrest{0.25F, 0.8F};
 constexpr Limits kEnergy{0.08F, 0.8F};
 
 /// Secondary particles that one particle makes while the liquid crosses h at speed U.
-constexpr float kTrappedAirRate = 4.0F;
+constexpr float kTrappedAirRate = 8.0F;
 /// Likewise along crests, times h/L.
-constexpr float kWaveCrestRate = 0.5F;
+constexpr float kWaveCrestRate = 1.0F;
 
 /// v̂_i·n̂_i from which a crest runs ahead of the liquid, Eq. (7) [Ihmsen et al. 2012].
 constexpr float kForward = 0.6F;
