@@ -117,15 +117,13 @@ float foamBed(const v1::Scene& scene, double spacing) {
   return static_cast<float>((0.5 + scene.look().splats().radius_in_spacings()) * spacing);
 }
 
-Vector3f foamRadiance(const v1::Scene& scene) {
+FoamLight foamLight(const v1::Scene& scene) {
   const auto toVector = [](const v1::Vec3& v) { return Vector3f(Eigen::Vector3d(v.x(), v.y(), v.z()).cast<float>()); };
   const v1::Sun& sun = scene.lighting().sun();
   const v1::Sky& sky = scene.background().sky();
-  // A cloud of droplets and bubbles scatters sunlight to every side, somewhat more where it faces the sun.
-  const float facing = 0.6F + 0.4F * std::max(0.0F, sunDirection(sun).y());
-  const Vector3f sunlight = static_cast<float>(sun.strength()) * facing * toVector(sun.colour());
-  const Vector3f skylight = 0.5F * (toVector(sky.zenith()) + toVector(sky.horizon()));
-  return toVector(scene.foam().colour()).cwiseProduct(sunlight + skylight);
+  const Vector3f colour = toVector(scene.foam().colour());
+  return {static_cast<float>(sun.strength()) * colour.cwiseProduct(toVector(sun.colour())),
+          0.5F * colour.cwiseProduct(toVector(sky.zenith()) + toVector(sky.horizon()))};
 }
 
 void drawFoam(std::span<const FoamDot> dots, const ViewGeometry& view, std::span<const FoamCover> liquids, float bed,

@@ -24,8 +24,12 @@ std::vector<FoamDot> makeFoamDots(const core::DiffuseParticles& particles, const
 /// How far below the drawn surface a dot still lies on it, m: splats reach beyond the particles that carry the foam.
 float foamBed(const v1::Scene& scene, double spacing);
 
-/// The light that foam sends to the eye, white as far as its colour is: it scatters what comes from anywhere.
-Eigen::Vector3f foamRadiance(const v1::Scene& scene);
+/// The light that white foam of the scene's colour sends to the eye, per channel.
+struct FoamLight {
+  Eigen::Vector3f sun;  ///< Where it faces the sun.
+  Eigen::Vector3f sky;
+};
+FoamLight foamLight(const v1::Scene& scene);
 
 /// A liquid's surface as the foam is compared with it.
 struct FoamCover {

@@ -32,9 +32,9 @@ constexpr Limits kWaveCrest{0.25F, 0.8F};
 constexpr Limits kEnergy{0.08F, 0.8F};
 
 /// Secondary particles that one particle makes while the liquid crosses h at speed U.
-constexpr float kTrappedAirRate = 8.0F;
+constexpr float kTrappedAirRate = 24.0F;
 /// Likewise along crests, times h/L.
-constexpr float kWaveCrestRate = 1.0F;
+constexpr float kWaveCrestRate = 6.0F;
 
 /// v̂_i·n̂_i from which a crest runs ahead of the liquid, Eq. (7) [Ihmsen et al. 2012].
 constexpr float kForward = 0.6F;
