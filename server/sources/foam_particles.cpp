@@ -100,6 +100,14 @@ DiffuseKind kindOf(float neighbours) {
   return neighbours <= 20 ? DiffuseKind::Foam : DiffuseKind::Bubble;
 }
 
+void FoamParticles::add(const Vector3f& position, const Vector3f& velocity, DiffuseKind kind, float remaining) {
+  all_.positions.push_back(position);
+  all_.velocities.push_back(velocity);
+  all_.kinds.push_back(kind);
+  all_.remaining.push_back(remaining);
+  all_.ids.push_back(nextId_++);
+}
+
 void FoamParticles::advance(const LiquidGrid& liquid, const FoamWalls& walls, const FoamScales& scales,
                             const FoamLife& life, float seconds, int threads) {
   const auto count = static_cast<std::ptrdiff_t>(all_.size());
@@ -196,11 +204,8 @@ void FoamParticles::create(const LiquidGrid& liquid, const FoamPotentials& poten
       Motion born{liquid.position(k) + 0.5F * scales.spacing * aside - dice.roll() * seconds * velocity,
                   velocity + kSpread * speed * aside};
       if (walls.box()) holdInside(*walls.box(), born);
-      all_.positions.push_back(born.position);
-      all_.velocities.push_back(born.velocity);
-      all_.kinds.push_back(kindOf(potentials.neighbours()[k]));
-      all_.remaining.push_back(kLeastLife + (1 - kLeastLife) * dice.roll());
-      all_.ids.push_back(nextId_++);
+      add(born.position, born.velocity, kindOf(potentials.neighbours()[k]),
+          kLeastLife + (1 - kLeastLife) * dice.roll());
     }
   }
 }

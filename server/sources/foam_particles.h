@@ -33,6 +33,7 @@ class FoamParticles {
   explicit FoamParticles(std::uint64_t seed = 1) : seed_(seed) {}
 
   const core::DiffuseParticles& all() const { return all_; }
+  void add(const Eigen::Vector3f& position, const Eigen::Vector3f& velocity, core::DiffuseKind kind, float remaining);
   void clear() { *this = FoamParticles(seed_); }
 
   /// Moves on by `seconds` to the time of `liquid`, ages, and removes what is gone: foam that is too old, spray that
