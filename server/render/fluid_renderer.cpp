@@ -6,6 +6,7 @@
 #include <string>
 
 #include "data_traits.h"
+#include "foam_dots.h"
 #include "frame_passes.h"
 #include "liquid_state.h"
 #include "liquid_uniforms.h"
@@ -56,6 +57,12 @@ class FluidRenderer::Impl {
     std::vector<DataTraits> traits;
     for (std::size_t k = 0; k < liquids_.size(); ++k) traits.push_back(select(*liquids_[k], lookOf(scene, k), view));
     clock_.lap(name(Pass::SelectSplats));
+    foam_.clear();
+    if (scene.has_foam() && particles.diffuse.size() > 0) {
+      foam_ = makeFoamDots(particles.diffuse, scene, particles.spacing, view);
+      traits.front().foamDots = foam_.size();
+      clock_.lap("select foam");
+    }
     const FramePlan plan = planFrame(scene, size, traits, reuse(scene, camera, size), device_);
     plan_ = plan.describe();
     targets_.fit(plan);
@@ -286,6 +293,7 @@ class FluidRenderer::Impl {
             view,
             pictureUniforms_.name(),
             raster_,
+            foam_,
             LiquidTargets(targets_, step.liquid),
             step.liquid,
             step.layer,
@@ -330,6 +338,7 @@ class FluidRenderer::Impl {
   FrameTargets targets_;
   std::vector<std::unique_ptr<LiquidState>> liquids_;
   SplatRaster raster_;
+  std::vector<FoamDot> foam_;  ///< Of the frame at hand.
   gl::StreamBuffer pictureUniforms_;
   core::Plan plan_;
 

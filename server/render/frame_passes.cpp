@@ -38,6 +38,10 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return blendLiquid_.run(frame);
     case Pass::Spray:
       return spray_.run(frame);
+    case Pass::Foam:
+      return foam_.run(frame);
+    case Pass::BlendFoam:
+      return blendFoam_.run(frame);
     case Pass::ToneMap:
       pixels_ = toneMap_.run(frame);
       return;

@@ -34,6 +34,8 @@ class FramePasses {
   CompositePass composite_;
   BlendLiquidPass blendLiquid_;
   SprayPass spray_;
+  FoamPass foam_;
+  BlendFoamPass blendFoam_;
   ToneMapPass toneMap_;
 
   const ShadowMap* shadow_ = nullptr;

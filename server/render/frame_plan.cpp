@@ -42,6 +42,10 @@ std::string_view name(Pass pass) {
       return "blend liquid";
     case Pass::Spray:
       return "spray";
+    case Pass::Foam:
+      return "foam";
+    case Pass::BlendFoam:
+      return "blend foam";
     case Pass::ToneMap:
       return "tone map";
   }
@@ -82,6 +86,8 @@ std::string_view name(Resource resource) {
       return "thickness scratch";
     case Resource::Liquid:
       return "liquid";
+    case Resource::Foam:
+      return "foam";
     case Resource::Picture:
       return "picture";
     case Resource::Screen:

@@ -137,6 +137,28 @@ class SprayPass {
   std::map<std::pair<bool, bool>, gl::Program> programs_;  ///< By whether its liquid, and others, have surfaces.
 };
 
+/// Adds up the optical depth of spray, foam and bubbles: on the CPU where that is what draws anyway.
+class FoamPass {
+ public:
+  FoamPass();
+  void run(const FrameContext& frame);
+
+ private:
+  std::optional<gl::Program> program_;
+  gl::StreamBuffer buffer_;
+  gl::VertexArray array_;
+};
+
+/// Foam over the picture.
+class BlendFoamPass {
+ public:
+  BlendFoamPass();
+  void run(const FrameContext& frame) const;
+
+ private:
+  gl::Program program_;
+};
+
 /// From the picture's light to what a screen shows.
 class ToneMapPass {
  public:

@@ -1,6 +1,7 @@
 #include "sluice/render/plan_picture.h"
 
 #include "data_traits.h"
+#include "foam_dots.h"
 #include "liquid_state.h"
 
 namespace sluice::render {
@@ -15,6 +16,9 @@ core::Plan planPicture(const core::ParticleSnapshot& particles, const v1::Scene&
     const SplatSelection selection = selectSplats(part->positions, makeSplatModel(*part, splats), view,
                                                   {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels});
     traits.push_back(dataTraits(*part, selection, scale, view));
+  }
+  if (scene.has_foam()) {
+    traits.front().foamDots = makeFoamDots(particles.diffuse, scene, particles.spacing, view).size();
   }
   return planFrame(scene, size, traits, {}).describe();
 }

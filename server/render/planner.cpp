@@ -30,6 +30,7 @@ FramePlan Planner::plan() {
     planComposites();
   }
   planSpray();
+  planFoam();
   planToneMap();
   return std::move(plan_);
 }

@@ -38,6 +38,8 @@ class Planner {
   void leaveOutOptics();
   void planSpray();
   void planToneMap();
+  // plan_foam.cpp
+  void planFoam();
 
   /// For what is not about one liquid.
   void forTheScene() { liquid_ = 0; }
@@ -58,6 +60,7 @@ class Planner {
   core::ImageSize thicknessSize() const { return dividedSize(size_, look().thickness().divisor()); }
   std::size_t liquidsWithSplats() const;
   bool anySpray() const;
+  std::size_t foamDots() const { return liquids_.empty() ? 0 : liquids_.front().foamDots; }
   /// The scene under the liquid: with its shadow where it has one.
   Resource sceneUnderLiquid() const { return hasScene_ ? Resource::Scene : Resource::Background; }
 

@@ -76,6 +76,27 @@ TEST_F(Golden, Spray) {
   EXPECT_EQ(compareWithGolden("spray", draw()), "");
 }
 
+TEST_F(Golden, Foam) {
+  // From the column's foot outwards over the sheet: bubbles below, foam at and spray above its surface.
+  scene.mutable_foam()->set_radius_in_spacings(0.12);
+  scene::complete(scene);
+  std::mt19937 random(3);
+  const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24F; };
+  for (std::uint32_t i = 0; i < 6000; ++i) {
+    const float away = uniform() * uniform();
+    const float height = 0.02F + 0.16F * uniform() + 0.6F * std::pow(uniform(), 8.0F);
+    const bool inside = height < 0.09F;
+    particles.diffuse.positions.emplace_back(0.5F + 1.2F * away, height, uniform());
+    particles.diffuse.velocities.emplace_back(Eigen::Vector3f::Zero());
+    particles.diffuse.kinds.push_back(inside           ? core::DiffuseKind::Bubble
+                                      : height < 0.14F ? core::DiffuseKind::Foam
+                                                       : core::DiffuseKind::Spray);
+    particles.diffuse.remaining.push_back(uniform());
+    particles.diffuse.ids.push_back(i);
+  }
+  EXPECT_EQ(compareWithGolden("foam", draw()), "");
+}
+
 /// One picture for each member of Smoothing.method, named like it.
 class GoldenOfSmoothing : public Golden, public ::testing::WithParamInterface<std::string> {};
 

@@ -35,6 +35,8 @@ enum class Pass : std::uint8_t {
   Composite,
   BlendLiquid,
   Spray,
+  Foam,
+  BlendFoam,
   ToneMap,
 };
 
@@ -56,6 +58,7 @@ enum class Resource : std::uint8_t {
   Thickness,    ///< Liquid along the line of sight, m.
   ThicknessScratch,
   Liquid,   ///< The shaded liquid alone, where it is drawn smaller than the picture.
+  Foam,     ///< Optical depth of spray, foam and bubbles: they hide 1 - exp(-it) of what is behind.
   Picture,  ///< Scene and liquid in linear light.
   Screen,   ///< The picture as a screen shows it.
 };
@@ -93,6 +96,7 @@ struct DataTraits {
   std::size_t interiorPoints = 0;  ///< Those of them that are deep inside the liquid.
   std::size_t largeSplats = 0;     ///< Splats too near or too large for points.
   std::size_t sprayDrops = 0;      ///< Particles that are far from the rest.
+  std::size_t foamDots = 0;        ///< Secondary particles, whichever liquid made them: the first liquid's count.
   double nearestDepth = 1;         ///< Least eye depth of the liquid's surface, m.
   double pixelSlope = 1e-3;        ///< Width of a pixel at eye depth 1.
   bool densities = false;          ///< Whether the source gives densities,
