@@ -9,6 +9,9 @@
 #ifdef LAYERED
 #include "layers.glsl"
 #endif
+#ifdef NOISE
+#include "surface_noise.glsl"
+#endif
 
 layout(binding = 1) uniform sampler2D scene;
 layout(binding = 2) uniform sampler2D thicknessMap;
@@ -84,6 +87,9 @@ void main() {
   colour = vec4(0.5 + 0.5 * normal, 1.0);
   return;
 #endif
+#ifdef NOISE
+  normal = roughened(normal, uv, slope, q);
+#endif
   float cosine = clamp(-dot(normal, sight), 0.0, 1.0);
 
   vec3 worldNormal = toWorldDirection(normal);
@@ -115,6 +121,9 @@ void main() {
   float highlight = (gloss + 8.0) * 0.0397887 * pow(max(dot(worldNormal, halfway), 0.0), gloss);
   float towards = fresnel(clamp(dot(halfway, -worldSight), 0.0, 1.0), liquid.absorptionAndIndex.w);
   radiance += liquid.colourAndSpecular.w * towards * highlight * lit * 3.0 * vec3(1.0, 0.94, 0.84);
+#endif
+#ifdef WHITENING
+  radiance = whitened(radiance, uv, worldNormal);
 #endif
   colour = vec4(radiance * coverage, coverage);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -46,6 +47,28 @@ void advanceTo(core::ParticleSource& source, double time) {
   while (source.time() < time && source.advance()) {
   }
   if (!source.halted().empty()) throw core::EnvironmentError("the simulation halted: " + source.halted());
+}
+
+/// How long what happened shows in a picture: marks of violent particles have then faded to 5 %, e^(−3).
+double memorySeconds(const v1::Scene& scene) {
+  double seconds = scene.look().has_noise() ? scene.look().noise().cool_down_seconds() : 0.0;
+  for (const v1::Look& look : scene.more_looks()) {
+    if (look.has_noise()) seconds = std::max(seconds, look.noise().cool_down_seconds());
+  }
+  return 3 * seconds;
+}
+
+/// The same for one picture: the renderer learns, at the pace of a film, how the particles have moved before it.
+void advanceTo(core::ParticleSource& source, double time, const v1::Scene& scene, render::FluidRenderer& renderer) {
+  constexpr double kPace = 0.04;
+  const double memory = memorySeconds(scene);
+  if (memory > 0) {
+    for (double t = std::max(time - memory, 0.0); t < time; t += kPace) {
+      advanceTo(source, t);
+      renderer.follow(*source.snapshot(), scene);
+    }
+  }
+  advanceTo(source, time);
 }
 
 /// The present state under a number of its own, by which the renderer knows particles that it has seen.
@@ -120,7 +143,7 @@ int renderScene(const RenderOptions& options) {
   if (range) {
     drawSequence(renderer, shot, *source, *range, options.framesPerSecond, options.out);
   } else {
-    advanceTo(*source, options.time);
+    advanceTo(*source, options.time, live.scene, renderer);
   }
   const std::uint64_t drawn = range ? static_cast<std::uint64_t>(range->last - range->first) + 1 : 0;
   const std::unique_ptr<core::ParticleSnapshot> particles = takeSnapshot(*source, drawn + 1);

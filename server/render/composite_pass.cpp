@@ -8,6 +8,8 @@ std::vector<std::string_view> CompositeVariant::defines() const {
   if (specular) names.emplace_back("SPECULAR");
   if (normals) names.emplace_back("NORMALS");
   if (layered) names.emplace_back("LAYERED");
+  if (noise) names.emplace_back("NOISE");
+  if (whitening) names.emplace_back("WHITENING");
   return names;
 }
 
@@ -36,8 +38,12 @@ void bindOtherSurfaces(const FrameContext& frame, const gl::Program& program) {
 }
 
 void CompositePass::run(const FrameContext& frame) {
-  const CompositeVariant variant{frame.look.liquid().opaque(), frame.look.liquid().physical().specular() > 0,
-                                 frame.scene.view().has_normals(), frame.plan.layers > 1};
+  const CompositeVariant variant{frame.look.liquid().opaque(),
+                                 frame.look.liquid().physical().specular() > 0,
+                                 frame.scene.view().has_normals(),
+                                 frame.plan.layers > 1,
+                                 frame.plan.buffer(Resource::Noise, frame.liquid) != nullptr,
+                                 frame.plan.buffer(Resource::Violence, frame.liquid) != nullptr};
   auto program = programs_.find(variant);
   if (program == programs_.end()) {
     program = programs_.emplace(variant, shaders().program("picture.vert", "composite.frag", variant.defines())).first;
@@ -57,6 +63,7 @@ void CompositePass::run(const FrameContext& frame) {
   bindTexture(frame, 1, scene);
   if (!variant.opaque) bindTexture(frame, 2, Resource::Thickness);
   if (variant.layered) bindOtherSurfaces(frame, program->second);
+  if (variant.noise) bindNoise(frame, program->second);
   glUseProgram(program->second.name());
   drawPicture();
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "frame_targets.h"
 #include "frame_uniforms.h"
 #include "liquid_state.h"
@@ -36,6 +38,7 @@ struct FrameContext {
   SplatBuffers& splats;
   GLuint surfaceUniforms;  ///< The frame's uniforms of passes that draw into the surface, or the shaded liquid.
   GLuint liquidUniforms;
+  std::span<const float> violence;  ///< Of each particle, or empty: see NoiseMarks.
 
   const SurfacePlan& surface() const { return plan.surfaces[liquid]; }
 };

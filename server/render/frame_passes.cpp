@@ -24,6 +24,8 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return thickness_.runLarge(frame);
     case Pass::SmoothThickness:
       return smoothThickness_.run(frame);
+    case Pass::Noise:
+      return noise_.run(frame);
     case Pass::BeginPicture:
       return copy(frame, sceneOf(frame), Resource::Picture);
     case Pass::ExtendScene:

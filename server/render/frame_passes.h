@@ -30,6 +30,7 @@ class FramePasses {
   SmoothingPass smoothing_;
   ThicknessPass thickness_;
   SmoothThicknessPass smoothThickness_;
+  NoisePass noise_;
   CompositePass composite_;
   BlendLiquidPass blendLiquid_;
   SprayPass spray_;

@@ -28,6 +28,8 @@ std::string_view name(Pass pass) {
       return "large thickness";
     case Pass::SmoothThickness:
       return "smooth thickness";
+    case Pass::Noise:
+      return "noise";
     case Pass::BeginPicture:
       return "begin picture";
     case Pass::ExtendScene:
@@ -72,6 +74,12 @@ std::string_view name(Resource resource) {
       return "thickness";
     case Resource::ThicknessScratch:
       return "thickness scratch";
+    case Resource::Noise:
+      return "noise";
+    case Resource::NoiseSums:
+      return "noise sums";
+    case Resource::Violence:
+      return "violence";
     case Resource::Liquid:
       return "liquid";
     case Resource::Picture:
@@ -86,12 +94,11 @@ bool isSurface(Resource resource) {
   return resource == Resource::Surface || std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
 }
 
-bool isOfLiquid(Resource resource) {
+bool isAsFineAsSurface(Resource resource) {
   switch (resource) {
-    case Resource::SplatList:
-    case Resource::Stencil:
-    case Resource::Thickness:
-    case Resource::ThicknessScratch:
+    case Resource::Noise:
+    case Resource::NoiseSums:
+    case Resource::Violence:
     case Resource::Liquid:
       return true;
     default:
@@ -99,8 +106,22 @@ bool isOfLiquid(Resource resource) {
   }
 }
 
+bool isOfLiquid(Resource resource) {
+  switch (resource) {
+    case Resource::SplatList:
+    case Resource::Stencil:
+    case Resource::Thickness:
+    case Resource::ThicknessScratch:
+      return true;
+    default:
+      return isAsFineAsSurface(resource);
+  }
+}
+
 std::uint64_t bytesPerPixel(PixelFormat format) {
   switch (format) {
+    case PixelFormat::Rgba32f:
+      return 16;
     case PixelFormat::Rgba16f:
       return 8;
     case PixelFormat::Srgb8Alpha8:
@@ -188,7 +209,8 @@ Lifetime lifetimeOf(BufferId id, const std::vector<PassStep>& steps) {
     life.last = i;
   }
   const bool isResult = resource == Resource::Picture || resource == Resource::Screen ||
-                        resource == Resource::Surface || resource == Resource::Thickness;
+                        resource == Resource::Surface || resource == Resource::Thickness ||
+                        resource == Resource::Noise || resource == Resource::Violence;
   if (isResult) life.last = steps.size();
   return life;
 }

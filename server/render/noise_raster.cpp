@@ -19,7 +19,6 @@ float rowSlope(const ViewGeometry& target, int y) {
 }
 
 PixelBounds boundsOf(const NoiseSprite& sprite, const ViewGeometry& target) {
-  if (sprite.radius <= 0) return {};
   const Eigen::Vector2f centre = target.toPixel(Eigen::Vector2f(sprite.x, sprite.y) / sprite.z);
   const float half = sprite.radius / (sprite.z * target.pixelSlope);
   // A pixel's middle stands at a half number.

@@ -14,8 +14,8 @@ namespace sluice::render {
 /// so the same result for any number of threads. Uses the OpenMP team of the calling thread.
 class NoiseRaster {
  public:
-  /// `surface` is the inverse eye depth of the target's pixels, 0 without liquid. Fills `height`, m, and, unless that is
-  /// empty, `violence`, 0 to 1; both are 0 where there is no liquid.
+  /// `surface` is the inverse eye depth of the target's pixels, 0 without liquid. Fills `height`, m, and, unless that
+  /// is empty, `violence`, 0 to 1; both are 0 where there is no liquid.
   void draw(std::span<const NoiseSprite> sprites, const ViewGeometry& target, float fallOff,
             std::span<const float> surface, std::span<float> height, std::span<float> violence);
 

@@ -69,6 +69,15 @@ unsigned octaveOf(std::uint32_t hash, const v1::Noise& noise) {
   return noise.octaves() - 1;
 }
 
+float typicalNoise(const v1::Noise& noise, float spacing) {
+  // Every octave has the same slope, and the same part of the surface: heights go with the cells.
+  const auto octaves = octavesOf(noise, spacing);
+  float squares = 0;
+  for (unsigned o = 0; o < noise.octaves(); ++o) squares += octaves[o].cell * octaves[o].cell;
+  const float cell = std::sqrt(squares / static_cast<float>(noise.octaves()));
+  return static_cast<float>(noise.amplitude()) * cell * kNoiseHeight / kNoiseSlope;
+}
+
 std::vector<NoiseSprite> makeNoiseSprites(const core::ParticleSnapshot& particles, const SplatSelection& selection,
                                           std::span<const float> violence, const v1::Noise& noise,
                                           const ViewGeometry& target, float nearDepth) {
@@ -87,7 +96,7 @@ std::vector<NoiseSprite> makeNoiseSprites(const core::ParticleSnapshot& particle
     NoiseSprite& sprite = sprites[static_cast<std::size_t>(k)];
     const Eigen::Vector3f centre = target.toView(particles.positions[i]);
     if (centre.z() <= nearDepth) {
-      sprite = {};  // behind the eye: of radius 0, which draws nothing
+      sprite = {};
       continue;
     }
     // One number after another of a row that the id begins.
@@ -115,6 +124,7 @@ std::vector<NoiseSprite> makeNoiseSprites(const core::ParticleSnapshot& particle
               amplitude * octave.cell * shown * std::lerp(still, 1.0F, mark),
               mark};
   }
+  std::erase_if(sprites, [](const NoiseSprite& sprite) { return sprite.radius <= 0; });
   return sprites;
 }
 

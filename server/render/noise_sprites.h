@@ -35,6 +35,8 @@ inline constexpr float kNoiseCellsPerRadius = 2.0F;
 /// Root mean square of the noise's slope, per cell, with gradients that are even over the square [−1, 1]²; a test holds
 /// the noise to it.
 inline constexpr float kNoiseSlope = 0.722F;
+/// The same of the noise itself.
+inline constexpr float kNoiseHeight = 0.176F;
 
 /// A number that looks random, for each id another: "lowbias32" of C. Wellons' hash prospector.
 std::uint32_t scrambled(std::uint32_t id);
@@ -42,8 +44,12 @@ std::uint32_t scrambled(std::uint32_t id);
 /// The octave of a particle. An octave has as many particles as let each cover as much of the surface.
 unsigned octaveOf(std::uint32_t hash, const v1::Noise& noise);
 
-/// Sprites of all particles that are drawn as splats. `violence` has one number for each particle of the snapshot, or
-/// none: all are calm. Particles without ids are told by their places in the arrays.
+/// Root mean square of the height of noise of violent particles where all octaves are shown, m.
+float typicalNoise(const v1::Noise& noise, float spacing);
+
+/// Sprites of all particles that are drawn as splats and not behind the near depth, in their order. `violence` has one
+/// number for each particle of the snapshot, or none: all are calm. Particles without ids are told by their places in
+/// the arrays.
 std::vector<NoiseSprite> makeNoiseSprites(const core::ParticleSnapshot& particles, const SplatSelection& selection,
                                           std::span<const float> violence, const v1::Noise& noise,
                                           const ViewGeometry& target, float nearDepth);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "frame_context.h"
+#include "noise_programs.h"
+#include "noise_raster.h"
 #include "shadow_map.h"
 #include "sluice/render/fluid_renderer.h"
 #include "smoothing/smoothing_method.h"
@@ -93,12 +95,26 @@ class SmoothingPass {
   std::map<v1::Smoothing::MethodCase, std::unique_ptr<SmoothingMethod>> methods_;
 };
 
+/// Noise that goes with the particles, over the smoothed surface [vdL09, section 3.4], and how violent they are.
+class NoisePass {
+ public:
+  void run(const FrameContext& frame);
+
+ private:
+  void drawOnDevice(const FrameContext& frame, std::span<const NoiseSprite> sprites, float fallOff);
+
+  NoiseRaster raster_;
+  std::optional<NoisePrograms> onDevice_;
+};
+
 /// Which parts of the composite's shader a scene needs.
 struct CompositeVariant {
   bool opaque = false;
   bool specular = false;
   bool normals = false;
   bool layered = false;
+  bool noise = false;
+  bool whitening = false;
 
   auto operator<=>(const CompositeVariant&) const = default;
   std::vector<std::string_view> defines() const;
@@ -148,6 +164,9 @@ class ToneMapPass {
 
 /// Binds the surfaces of the frame's other liquids for layers.glsl.
 void bindOtherSurfaces(const FrameContext& frame, const gl::Program& program);
+
+/// Binds noise and violence for surface_noise.glsl, and what it has to know of them.
+void bindNoise(const FrameContext& frame, const gl::Program& program);
 
 /// The scene under the liquid: with its shadow where it has one.
 Resource sceneOf(const FrameContext& frame);

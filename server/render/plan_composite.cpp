@@ -29,6 +29,9 @@ void Planner::planComposite(int layer) {
   const v1::Liquid& liquid = look().liquid();
   std::vector<Resource> reads{sceneUnderLiquid(), Resource::Surface, Resource::Stencil};
   if (!liquid.opaque()) reads.push_back(Resource::Thickness);
+  for (const Resource noise : {Resource::Noise, Resource::Violence}) {
+    if (plan_.buffer(id(noise)) != nullptr) reads.push_back(noise);
+  }
   if (layer == 0 && liquid.physical().specular() <= 0) {
     leaveOut("specular highlight", "look.liquid.physical.specular is 0");
   }

@@ -12,6 +12,7 @@ void Planner::planSurface() {
   planSplats();
   planSmoothing();
   planThickness();
+  planNoise();
 }
 
 void Planner::planSplats() {

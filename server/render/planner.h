@@ -29,6 +29,8 @@ class Planner {
   void planMask();
   void planSmoothing();
   void planThickness();
+  // plan_noise.cpp
+  void planNoise();
   // plan_composite.cpp
   void beginPicture();
   void planComposites();
