@@ -21,6 +21,7 @@ vec3 roughened(vec3 normal, vec2 at, vec2 W, float q) {
   float perMetre = q / frame.forwardAndPixel.w;  // pixels in a metre there
   vec3 gradient = vec3(noiseSlope(q, at, vec2(frame.pictureSize.z, 0.0), edge),
                        noiseSlope(q, at, vec2(0.0, frame.pictureSize.w), edge), 0.0) * perMetre;
+  if (dot(gradient, gradient) < 1e-12) return normal;  // too little to see: not to change a bit
   vec3 sight = normalize(vec3(W, 1.0));
   // Towards silhouettes, where a pixel spans ever more of the surface, the noise fades.
   float facing = -dot(normal, sight);
@@ -38,11 +39,12 @@ vec3 whitened(vec3 radiance, vec2 at, vec3 worldNormal) {
   float strength = mix(whitening.y, 1.0, violence);
   float size = abs(texture(noiseMap, at).r) * whitening.z / max(strength, 1e-3);
   float least = mix(1.8, 0.1, violence);
-  float white = whitening.x * smoothstep(least, least + 1.2, size) * smoothstep(0.05, 0.4, violence);
+  float white = whitening.x * smoothstep(least, least + 0.8, size) * smoothstep(0.05, 0.4, violence);
   // Bubbles scatter the light of sun and sky, and of whatever side it comes much is seen.
   float lit = 0.3 + 0.7 * max(dot(worldNormal, frame.sun.xyz), 0.0);
   float skyLight = 0.5 + 0.5 * worldNormal.y;
-  vec3 foam = 0.8 * (0.5 * skyLight * skyRadiance(vec3(0.0, 1.0, 0.0)) + 0.65 * lit * vec3(1.0, 0.97, 0.92));
+  vec3 sky = mix(frame.skyHorizon.rgb, skyRadiance(vec3(0.0, 1.0, 0.0)), 0.3);
+  vec3 foam = 0.9 * sky * skyLight + 0.55 * lit * vec3(1.0, 0.94, 0.84);
   return mix(radiance, foam, white);
 }
 #endif
