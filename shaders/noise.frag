@@ -20,8 +20,7 @@ void main() {
   float kernel = max(1.0 - dot(l, l), 0.0);
   if (q <= 0.0 || kernel <= 0.0) discard;
   float below = (disc.z - 1.0 / q) * perFallOff;
-  float fall = max(1.0 - 0.125 * below * below, 0.0);
-  fall *= fall;
+  float fall = max(1.0 - 0.25 * below * below, 0.0);
   fall *= fall;
   fall *= fall;
   float weight = kernel * kernel * fall;

@@ -39,7 +39,7 @@ vec3 whitened(vec3 radiance, vec2 at, vec3 worldNormal) {
   float strength = mix(whitening.y, 1.0, violence);
   float size = abs(texture(noiseMap, at).r) * whitening.z / max(strength, 1e-3);
   float least = mix(1.8, 0.1, violence);
-  float white = whitening.x * smoothstep(least, least + 0.8, size) * smoothstep(0.05, 0.4, violence);
+  float white = whitening.x * smoothstep(least, least + 1.0, size) * smoothstep(0.05, 0.4, violence);
   // Bubbles scatter the light of sun and sky, and of whatever side it comes much is seen.
   float lit = 0.3 + 0.7 * max(dot(worldNormal, frame.sun.xyz), 0.0);
   float skyLight = 0.5 + 0.5 * worldNormal.y;

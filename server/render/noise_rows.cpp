@@ -71,8 +71,7 @@ template <bool withViolence>
       const float x = slopes[i] * perSlope - left;
       const float kernel = std::max(room - x * x, 0.0F);
       const float below = (z - depths[i]) * perFallOff;
-      float fall = std::max(1.0F - 0.125F * below * below, 0.0F);
-      fall *= fall;
+      float fall = std::max(1.0F - 0.25F * below * below, 0.0F);
       fall *= fall;
       fall *= fall;
       const float weight = kernel * kernel * fall;

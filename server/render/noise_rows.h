@@ -5,10 +5,10 @@
 namespace sluice::render {
 
 /// Pixels of noise drawn at once; rows are padded by as many.
-inline constexpr int kNoiseBlock = 16;
+inline constexpr int kNoiseBlock = 8;
 
-/// How deep below the surface, in fall-off lengths, noise has faded to nothing: √8, see addNoiseRow.
-inline constexpr float kNoiseReach = 2.8284271F;
+/// How deep below the surface, in fall-off lengths, noise has faded to nothing, see addNoiseRow.
+inline constexpr float kNoiseReach = 2.0F;
 
 /// Eye depth that stands for "no liquid": so far off that no noise reaches it.
 inline constexpr float kNoLiquid = 1e15F;
@@ -24,9 +24,9 @@ struct NoiseRow {
 /// surface's eye depths there, m, and `perFallOff` is 1 over the fall-off length, 1/m. Draws whole blocks: up to
 /// kNoiseBlock − 1 pixels beyond `count`, where the sprite belongs as well, if it is there at all.
 ///
-/// The weight is w = (1−ρ²)²·(1−u²/8)⁸ for ρ < 1 and u² < 8, with ρ the distance in radii and u the depth below the
+/// The weight is w = (1−ρ²)²·(1−u²/4)⁴ for ρ < 1 and u < 2, with ρ the distance in radii and u the depth below the
 /// surface in fall-off lengths: both end smoothly, where e^(−ρ²) of Eq. (10) [vdL09] is cut at ρ = 1, and the second
-/// factor is never more than 0.034 from the e^(−u²) that it stands for.
+/// factor is never more than 0.08 from the e^(−u²) that it stands for.
 void addNoiseRow(const NoiseSprite& sprite, float perFallOff, float slopeY, const float* slopes, const float* depths,
                  const NoiseRow& row, int count);
 

@@ -147,7 +147,7 @@ TEST(NoiseRaster, MatchesTheSumOverAllParticles) {
         const double ly = ((y + 0.5 - 55) * kView.pixelSlope * s.z - s.y) / s.radius;
         const double below = (s.z - 1.0 / static_cast<double>(surface[at])) / 0.09;
         const double weight =
-            std::pow(std::max(0.0, 1 - lx * lx - ly * ly), 2) * std::pow(std::max(0.0, 1 - below * below / 8), 8);
+            std::pow(std::max(0.0, 1 - lx * lx - ly * ly), 2) * std::pow(std::max(0.0, 1 - below * below / 4), 4);
         if (weight == 0) continue;
         sum += weight * s.height *
                noiseAt(s.originX + s.turnX * lx - s.turnY * ly, s.originY + s.turnY * lx + s.turnX * ly, s.seed);
