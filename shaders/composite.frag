@@ -15,6 +15,9 @@
 #ifdef LAYERED
 #include "layers.glsl"
 #endif
+#ifdef NOISE
+#include "surface_noise.glsl"
+#endif
 
 in vec2 uv;
 in vec2 slope;
@@ -45,6 +48,9 @@ void main() {
   float thickness = thicknessAt(slope);
   normal = roundedRim(normal, sight, slope, thickness);
 #endif
+#ifdef NOISE
+  normal = roughened(normal, uv, slope, q);
+#endif
   float cosine = clamp(-dot(normal, sight), 0.0, 1.0);
   vec3 worldNormal = toWorldDirection(normal);
   vec3 worldSight = toWorldDirection(sight);
@@ -68,6 +74,9 @@ void main() {
 #endif
 #ifdef HIGHLIGHT
   radiance += frame.sunlight.rgb * highlight(worldNormal, -worldSight, frame.sun.xyz);
+#endif
+#ifdef WHITENING
+  radiance = whitened(radiance, uv, worldNormal);
 #endif
   float coverage = covered(uv);
   // 6·10⁴: half floats end at 65504.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -107,7 +108,7 @@ int renderScene(const RenderOptions& options) {
   if (range) {
     drawSequence(renderer, shot, *source, *range, options.framesPerSecond, options.out);
   } else {
-    advanceTo(*source, options.time);
+    advanceTo(*source, options.time, live.scene, renderer);
   }
   const std::uint64_t drawn = range ? static_cast<std::uint64_t>(range->last - range->first) + 1 : 0;
   const std::unique_ptr<core::ParticleSnapshot> particles = takeSnapshot(*source, drawn + 1);

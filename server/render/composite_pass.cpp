@@ -27,7 +27,9 @@ void bindOtherSurfaces(const FrameContext& frame, const gl::Program& program) {
 }
 
 void CompositePass::run(const FrameContext& frame) {
-  const CompositeVariant variant = compositeVariant(frame.look.liquid(), frame.scene, frame.plan.layers > 1);
+  CompositeVariant variant = compositeVariant(frame.look.liquid(), frame.scene, frame.plan.layers > 1);
+  variant.noise = frame.plan.buffer(Resource::Noise, frame.liquid) != nullptr;
+  variant.whitening = frame.plan.buffer(Resource::Violence, frame.liquid) != nullptr;
   auto program = programs_.find(variant);
   if (program == programs_.end()) {
     program = programs_.emplace(variant, shaders().program("picture.vert", "composite.frag", variant.defines())).first;
@@ -48,6 +50,7 @@ void CompositePass::run(const FrameContext& frame) {
   if (variant.refraction != Refraction::None) bindTexture(frame, 2, Resource::Thickness);
   if (variant.refraction == Refraction::TwoInterfaces) bindTexture(frame, 3, Resource::BackSurface);
   if (variant.layered) bindOtherSurfaces(frame, program->second);
+  if (variant.noise) bindNoise(frame, program->second);
   glUseProgram(program->second.name());
   drawPicture();
 }

@@ -20,6 +20,8 @@ std::vector<std::string_view> CompositeVariant::defines() const {
   if (!reflection) names.emplace_back("NO_REFLECTION");
   if (normals) names.emplace_back("NORMALS");
   if (layered) names.emplace_back("LAYERED");
+  if (noise) names.emplace_back("NOISE");
+  if (whitening) names.emplace_back("WHITENING");
   return names;
 }
 

@@ -22,6 +22,8 @@ struct CompositeVariant {
   bool reflection = true;
   bool normals = false;
   bool layered = false;
+  bool noise = false;
+  bool whitening = false;
 
   auto operator<=>(const CompositeVariant&) const = default;
   std::vector<std::string_view> defines() const;

@@ -20,6 +20,8 @@ inline DataTraits dataTraits(const core::ParticleSnapshot& particles, const Spla
   traits.pixelSlope = view.pixelSlope;
   traits.densities = !particles.densities.empty();
   traits.neighbourCounts = !particles.neighbours.empty();
+  traits.ids = !particles.ids.empty();
+  traits.velocities = !particles.velocities.empty();
   return traits;
 }
 

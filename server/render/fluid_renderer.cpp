@@ -85,6 +85,13 @@ class FluidRenderer::Impl {
     return finish(particles, size);
   }
 
+  void follow(const core::ParticleSnapshot& particles, const v1::Scene& scene) {
+    takeParts(particles);
+    for (std::size_t k = 0; k < liquids_.size(); ++k) followViolence(*liquids_[k], lookOf(scene, k));
+    // Not owned where it is not split, and gone by the next frame.
+    if (liquids_.size() == 1) liquids_.front()->particles.reset();
+  }
+
   FloatPicture smooth(const FloatPicture& surface, const v1::Look& given, double spacing, const core::Camera& camera) {
     checkSize(surface.size);
     v1::Scene scene;
@@ -175,6 +182,10 @@ class FluidRenderer::Impl {
     newParticles_ = particles.sequence == 0 || particles.sequence != sequence_ || liquids_.empty();
     sequence_ = particles.sequence;
     if (!newParticles_ && liquids_.size() > 1) return;
+    takeParts(particles);
+  }
+
+  void takeParts(const core::ParticleSnapshot& particles) {
     const auto parts = splitByFluid(particles);
     liquids_.resize(parts.size());
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -191,6 +202,14 @@ class FluidRenderer::Impl {
     liquid.scale = splatScale(look.splats(), spacing);
   }
 
+  static void followViolence(LiquidState& liquid, const v1::Look& look) {
+    if (look.has_noise()) {
+      liquid.marks.follow(*liquid.particles, look.noise());
+    } else {
+      liquid.marks = {};
+    }
+  }
+
   DataTraits select(LiquidState& liquid, const v1::Look& look, const ViewGeometry& view) {
     const core::ParticleSnapshot& particles = *liquid.particles;
     aim(liquid, look, view, particles.spacing);
@@ -199,6 +218,7 @@ class FluidRenderer::Impl {
       liquid.splatsOfModel = look.splats();
       clock_.lap("model splats");
     }
+    if (newParticles_) followViolence(liquid, look);
     const SplatScale& scale = liquid.scale;
     liquid.selection = selectSplats(particles.positions, liquid.model, view,
                                     {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels_});
@@ -307,7 +327,8 @@ class FluidRenderer::Impl {
             liquid.selection,
             liquid.splats,
             liquid.surfaceUniforms.name(),
-            liquid.liquidUniforms.name()};
+            liquid.liquidUniforms.name(),
+            liquid.marks.violence()};
   }
 
   void run(Pass pass, const FrameContext& frame) {
@@ -363,6 +384,10 @@ FluidRenderer::~FluidRenderer() = default;
 core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const v1::Scene& scene,
                                   const core::Camera& camera, core::ImageSize size) {
   return impl_->render(particles, scene, camera, size);
+}
+
+void FluidRenderer::follow(const core::ParticleSnapshot& particles, const v1::Scene& scene) {
+  impl_->follow(particles, scene);
 }
 
 FloatPicture FluidRenderer::readBuffer(Resource resource, std::size_t liquid) {

@@ -40,6 +40,7 @@ struct FrameContext {
   SplatBuffers& splats;
   GLuint surfaceUniforms;  ///< The frame's uniforms of passes that draw into the surface, or the shaded liquid.
   GLuint liquidUniforms;
+  std::span<const float> violence;  ///< Of each particle, or empty: see NoiseMarks.
 
   const SurfacePlan& surface() const { return plan.surfaces[liquid]; }
 };

@@ -28,6 +28,8 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return backSplats_.run(frame);
     case Pass::BackSmoothing:
       return smoothing_.runOnBack(frame);
+    case Pass::Noise:
+      return noise_.run(frame);
     case Pass::BeginPicture:
       return copy(frame, sceneOf(frame), Resource::Picture);
     case Pass::ExtendScene:

@@ -31,6 +31,7 @@ class FramePasses {
   ThicknessPass thickness_;
   SmoothThicknessPass smoothThickness_;
   BackSplatsPass backSplats_;
+  NoisePass noise_;
   CompositePass composite_;
   BlendLiquidPass blendLiquid_;
   SprayPass spray_;

@@ -32,6 +32,8 @@ std::string_view name(Pass pass) {
       return "back splats";
     case Pass::BackSmoothing:
       return "back smoothing";
+    case Pass::Noise:
+      return "noise";
     case Pass::BeginPicture:
       return "begin picture";
     case Pass::ExtendScene:
@@ -84,6 +86,12 @@ std::string_view name(Resource resource) {
       return "thickness";
     case Resource::ThicknessScratch:
       return "thickness scratch";
+    case Resource::Noise:
+      return "noise";
+    case Resource::NoiseSums:
+      return "noise sums";
+    case Resource::Violence:
+      return "violence";
     case Resource::Liquid:
       return "liquid";
     case Resource::Foam:
@@ -101,12 +109,11 @@ bool isSurface(Resource resource) {
          std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
 }
 
-bool isOfLiquid(Resource resource) {
+bool isAsFineAsSurface(Resource resource) {
   switch (resource) {
-    case Resource::SplatList:
-    case Resource::Stencil:
-    case Resource::Thickness:
-    case Resource::ThicknessScratch:
+    case Resource::Noise:
+    case Resource::NoiseSums:
+    case Resource::Violence:
     case Resource::Liquid:
       return true;
     default:
@@ -114,8 +121,22 @@ bool isOfLiquid(Resource resource) {
   }
 }
 
+bool isOfLiquid(Resource resource) {
+  switch (resource) {
+    case Resource::SplatList:
+    case Resource::Stencil:
+    case Resource::Thickness:
+    case Resource::ThicknessScratch:
+      return true;
+    default:
+      return isAsFineAsSurface(resource);
+  }
+}
+
 std::uint64_t bytesPerPixel(PixelFormat format) {
   switch (format) {
+    case PixelFormat::Rgba32f:
+      return 16;
     case PixelFormat::Rgba16f:
       return 8;
     case PixelFormat::Srgb8Alpha8:
@@ -203,7 +224,8 @@ Lifetime lifetimeOf(BufferId id, const std::vector<PassStep>& steps) {
     life.last = i;
   }
   const bool isResult = resource == Resource::Picture || resource == Resource::Screen ||
-                        resource == Resource::Surface || resource == Resource::Thickness;
+                        resource == Resource::Surface || resource == Resource::Thickness ||
+                        resource == Resource::Noise || resource == Resource::Violence;
   if (isResult) life.last = steps.size();
   return life;
 }

@@ -11,6 +11,8 @@ namespace {
 
 GLenum internalFormat(PixelFormat format) {
   switch (format) {
+    case PixelFormat::Rgba32f:
+      return GL_RGBA32F;
     case PixelFormat::Rgba16f:
       return GL_RGBA16F;
     case PixelFormat::Srgb8Alpha8:

@@ -9,6 +9,8 @@
 
 #include "composite_variant.h"
 #include "frame_context.h"
+#include "noise_programs.h"
+#include "noise_raster.h"
 #include "shadow_map.h"
 #include "sluice/render/fluid_renderer.h"
 #include "smoothing/smoothing_method.h"
@@ -108,6 +110,18 @@ class SmoothingPass {
   std::map<v1::Smoothing::MethodCase, std::unique_ptr<SmoothingMethod>> methods_;
 };
 
+/// Noise that goes with the particles, over the smoothed surface [vdL09, section 3.4], and how violent they are.
+class NoisePass {
+ public:
+  void run(const FrameContext& frame);
+
+ private:
+  void drawOnDevice(const FrameContext& frame, std::span<const NoiseSprite> sprites, float fallOff);
+
+  NoiseRaster raster_;
+  std::optional<NoisePrograms> onDevice_;
+};
+
 /// The liquid over the scene, or where it is coarser than the picture, by itself.
 class CompositePass {
  public:
@@ -174,6 +188,9 @@ class ToneMapPass {
 
 /// Binds the surfaces of the frame's other liquids for layers.glsl.
 void bindOtherSurfaces(const FrameContext& frame, const gl::Program& program);
+
+/// Binds noise and violence for surface_noise.glsl, and what it has to know of them.
+void bindNoise(const FrameContext& frame, const gl::Program& program);
 
 /// The scene under the liquid: with its shadow where it has one.
 Resource sceneOf(const FrameContext& frame);

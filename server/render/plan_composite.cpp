@@ -31,6 +31,9 @@ void Planner::planComposite(int layer) {
   std::vector<Resource> reads{sceneUnderLiquid(), Resource::Surface, Resource::Stencil};
   if (!isOpaque(liquid)) reads.push_back(Resource::Thickness);
   if (refractionOf(liquid) == Refraction::TwoInterfaces) reads.push_back(Resource::BackSurface);
+  for (const Resource noise : {Resource::Noise, Resource::Violence}) {
+    if (plan_.buffer(id(noise)) != nullptr) reads.push_back(noise);
+  }
   if (layer == 0) leaveOutOptics();
   if (look().smoothing().divisor() == 1) {
     run(Pass::Composite, std::string(name(Pass::Composite)), reads, {Resource::Picture}, 1, layer);

@@ -14,6 +14,7 @@ void Planner::planSurface() {
   planSmoothing();
   planThickness();
   planBackSurface();
+  planNoise();
 }
 
 void Planner::planSplats() {

@@ -31,6 +31,8 @@ class Planner {
   void planThickness();
   // plan_back_surface.cpp
   void planBackSurface();
+  // plan_noise.cpp
+  void planNoise();
   // plan_composite.cpp
   void beginPicture();
   void planComposites();

@@ -48,42 +48,24 @@ void SplatRaster::bin(std::span<const Splat> splats, const ViewGeometry& target)
         low(centre.y() - half.y() - 0.5F, height), low(centre.y() + half.y() + 0.5F, height)};
   }
 
-  const auto strips = static_cast<std::size_t>((target.size.height + kStripRows - 1) / kStripRows);
-  stripStart_.assign(strips + 1, 0);
-  const auto forEachMet = [&](auto&& action) {
-    for (std::size_t i = 0; i < bounds_.size(); ++i) {
-      const Bounds& box = bounds_[i];
-      if (box.left >= box.right || box.top >= box.bottom) continue;
-      for (int s = box.top / kStripRows; s <= (box.bottom - 1) / kStripRows; ++s) {
-        action(static_cast<std::size_t>(s), static_cast<std::uint32_t>(i));
-      }
-    }
-  };
-  forEachMet([&](std::size_t strip, std::uint32_t) { ++stripStart_[strip + 1]; });
-  for (std::size_t s = 0; s < strips; ++s) stripStart_[s + 1] += stripStart_[s];
-  order_.resize(stripStart_[strips]);
-  std::vector<std::uint32_t> next(stripStart_.begin(), stripStart_.end() - 1);
-  forEachMet([&](std::size_t strip, std::uint32_t i) { order_[next[strip]++] = i; });
+  bins_.fill(bounds_, target.size.height, kStripRows);
 }
 
 /// Calls `drawStrip(splats met, first row, last row, row)` for each strip, where `row(y)` is its own memory of zeros.
 template <class DrawStrip>
 void SplatRaster::forEachStrip(const ViewGeometry& target, float empty, const DrawStrip& drawStrip) {
-  const auto strips = static_cast<int>(stripStart_.size()) - 1;
   const std::size_t stride = static_cast<std::size_t>(target.size.width) + kSplatBlock;
 #pragma omp parallel
   {
     std::vector<float> pixels(stride * kStripRows);
 #pragma omp for schedule(dynamic)
-    for (int s = 0; s < strips; ++s) {
-      const auto first = stripStart_[static_cast<std::size_t>(s)];
-      const auto last = stripStart_[static_cast<std::size_t>(s) + 1];
-      if (first == last) continue;
+    for (int s = 0; s < bins_.strips(); ++s) {
+      if (bins_.met(s).empty()) continue;
       const int top = s * kStripRows;
       const int bottom = std::min(top + kStripRows, target.size.height);
       std::ranges::fill(pixels, empty);
       const auto row = [&](int y) { return pixels.data() + stride * static_cast<std::size_t>(y - top); };
-      drawStrip(std::span(order_).subspan(first, last - first), top, bottom, row);
+      drawStrip(bins_.met(s), top, bottom, row);
     }
   }
 }
@@ -97,7 +79,7 @@ void SplatRaster::draw(std::span<const Splat> splats, const ViewGeometry& target
   bin(splats, target);
   forEachStrip(target, empty, [&](std::span<const std::uint32_t> met, int top, int bottom, const auto& row) {
     for (const std::uint32_t index : met) {
-      const Bounds& box = bounds_[index];
+      const PixelBounds& box = bounds_[index];
       drawRows(widened(splats[index], target.pixelSlope), [&](const auto& drawRow) {
         for (int y = std::max<int>(box.top, top); y < std::min<int>(box.bottom, bottom); ++y) {
           drawRow(rowSlope(target, y), columnSlopes_.data() + box.left, row(y) + box.left, box.right - box.left);

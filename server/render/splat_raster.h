@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "strip_bins.h"
 #include "view_splats.h"
 
 namespace sluice::render {
@@ -38,10 +39,6 @@ class SplatRaster {
                      std::span<float> thickness);
 
  private:
-  struct Bounds {
-    std::int16_t left, right, top, bottom;  ///< Pixels [left, right) × [top, bottom).
-  };
-
   template <class Splat>
   void bin(std::span<const Splat> splats, const ViewGeometry& target);
   template <class DrawStrip>
@@ -59,9 +56,8 @@ class SplatRaster {
   void drawChords(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> thickness,
                   const DrawRows& drawRows);
 
-  std::vector<Bounds> bounds_;
-  std::vector<std::uint32_t> stripStart_;  ///< Strip s holds order_[stripStart_[s]] to order_[stripStart_[s + 1]].
-  std::vector<std::uint32_t> order_;
+  std::vector<PixelBounds> bounds_;
+  StripBins bins_;
   std::vector<float> columnSlopes_;  ///< W_x of every column, padded by a block.
 };
 

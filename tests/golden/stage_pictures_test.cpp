@@ -130,6 +130,23 @@ TEST_F(Golden, Thickness) {
   EXPECT_EQ(compareWithGolden("thickness", asGrey(renderer.readBuffer(Resource::Thickness), 0, 1)), "");
 }
 
+TEST_F(Golden, Noise) {
+  // The column is violent, the sheet is calm; the height is grey between -1 and 1 cm.
+  for (std::size_t i = 0; i < particles.size(); ++i) particles.ids.push_back(static_cast<std::uint32_t>(i));
+  particles.velocities.assign(particles.size(), Eigen::Vector3f::Zero());
+  look.mutable_noise();
+  scene::complete(look);
+  renderer.follow(particles, scene);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.positions[i].x() < 0.5F) particles.velocities[i] = {0, 5, 0};
+  }
+  particles.time = 0.04;
+  draw();
+  FloatPicture height = renderer.readBuffer(Resource::Noise);
+  for (float& value : height.values) value += 0.01F;
+  EXPECT_EQ(compareWithGolden("noise", asGrey(height, 0, 0.02)), "");
+}
+
 TEST_F(Golden, Composite) { EXPECT_EQ(compareWithGolden("composite", draw()), ""); }
 
 TEST_F(Golden, CompositeOpaque) {

@@ -20,6 +20,8 @@ constexpr std::array kGates{
     Gate{"liquid at full resolution", "look.smoothing.divisor=1", "look.smoothing.divisor=2", kFlyBy, kFlyBy},
     Gate{"liquid at half resolution", "look.smoothing.divisor=2", "look.smoothing.divisor=4", kFlyBy, kFlyBy},
     Gate{"highlight", "", "look.liquid.physical.specular=0", kFlyBy, kFlyBy},
+    Gate{"noise", "look.noise.amplitude=0.2", "look.noise.amplitude=0", kSimulation, kSimulation},
+    Gate{"whitening by noise", "look.noise.whitening=0.6", "look.noise.whitening=0", kSimulation, kSimulation},
     Gate{"shadow", "", "lighting.sun.shadow=0", kBoth, kBoth},
     Gate{"foam", "foam={}", "", kBoth, kBoth},
     Gate{"floor", "", "background.floor=false", kBoth, kBoth},

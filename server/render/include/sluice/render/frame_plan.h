@@ -30,6 +30,7 @@ enum class Pass : std::uint8_t {
   SmoothThickness,
   BackSplats,
   BackSmoothing,
+  Noise,
   BeginPicture,
   ExtendScene,
   Composite,
@@ -57,6 +58,9 @@ enum class Resource : std::uint8_t {
   Stencil,      ///< 1 where there is liquid.
   Thickness,    ///< Liquid along the line of sight, m.
   ThicknessScratch,
+  Noise,      ///< Height of waves over the smoothed surface, m.
+  NoiseSums,  ///< What the noise is made of, see noise.frag.
+  Violence,   ///< How shaken the liquid is, 0 to 1.
   Liquid,   ///< The shaded liquid alone, where it is drawn smaller than the picture.
   Foam,     ///< Optical depth of spray, foam and bubbles: they hide 1 - exp(-it) of what is behind.
   Picture,  ///< Scene and liquid in linear light.
@@ -70,6 +74,9 @@ inline constexpr std::array kSurfaceScratch{Resource::SurfaceScratch, Resource::
 
 /// The surface, its back, or one of its scratch buffers.
 bool isSurface(Resource resource);
+
+/// As fine as the surface, and no finer.
+bool isAsFineAsSurface(Resource resource);
 
 /// Whether every liquid has one of its own.
 bool isOfLiquid(Resource resource);
@@ -100,7 +107,9 @@ struct DataTraits {
   double nearestDepth = 1;         ///< Least eye depth of the liquid's surface, m.
   double pixelSlope = 1e-3;        ///< Width of a pixel at eye depth 1.
   bool densities = false;          ///< Whether the source gives densities,
-  bool neighbourCounts = false;    ///< and numbers of neighbours.
+  bool neighbourCounts = false;    ///< numbers of neighbours,
+  bool ids = false;                ///< ids,
+  bool velocities = false;         ///< and velocities.
 
   std::size_t splats() const { return points + largeSplats; }
 };
@@ -142,7 +151,7 @@ struct PassStep {
   bool operator==(const PassStep&) const = default;
 };
 
-enum class PixelFormat : std::uint8_t { Rgba16f, Srgb8Alpha8, R32f, Stencil8 };
+enum class PixelFormat : std::uint8_t { Rgba32f, Rgba16f, Srgb8Alpha8, R32f, Stencil8 };
 
 std::uint64_t bytesPerPixel(PixelFormat format);
 
