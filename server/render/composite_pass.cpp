@@ -6,7 +6,6 @@ std::vector<std::string_view> CompositeVariant::defines() const {
   std::vector<std::string_view> names;
   if (opaque) names.emplace_back("OPAQUE");
   if (specular) names.emplace_back("SPECULAR");
-  if (normals) names.emplace_back("NORMALS");
   if (layered) names.emplace_back("LAYERED");
   return names;
 }
@@ -37,7 +36,7 @@ void bindOtherSurfaces(const FrameContext& frame, const gl::Program& program) {
 
 void CompositePass::run(const FrameContext& frame) {
   const CompositeVariant variant{frame.look.liquid().opaque(), frame.look.liquid().physical().specular() > 0,
-                                 frame.scene.view().has_normals(), frame.plan.layers > 1};
+                                 frame.plan.layers > 1};
   auto program = programs_.find(variant);
   if (program == programs_.end()) {
     program = programs_.emplace(variant, shaders().program("picture.vert", "composite.frag", variant.defines())).first;

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "colour_map_pass.h"
 #include "passes.h"
+#include "study_pass.h"
 
 namespace sluice::render {
 
@@ -32,6 +34,8 @@ class FramePasses {
   SmoothThicknessPass smoothThickness_;
   CompositePass composite_;
   BlendLiquidPass blendLiquid_;
+  ColourMapPass colourMap_;
+  StudyPass study_;
   SprayPass spray_;
   ToneMapPass toneMap_;
 

@@ -100,6 +100,7 @@ bool isOfLiquid(Resource resource) {
     case Resource::Stencil:
     case Resource::Thickness:
     case Resource::ThicknessScratch:
+    case Resource::Attribute:
     case Resource::Liquid:
       return true;
     default:

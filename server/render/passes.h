@@ -97,7 +97,6 @@ class SmoothingPass {
 struct CompositeVariant {
   bool opaque = false;
   bool specular = false;
-  bool normals = false;
   bool layered = false;
 
   auto operator<=>(const CompositeVariant&) const = default;

@@ -2,11 +2,13 @@
 
 #include "data_traits.h"
 #include "liquid_state.h"
+#include "study_pass.h"
 
 namespace sluice::render {
 
-core::Plan planPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
+core::Plan planPicture(const core::ParticleSnapshot& particles, const v1::Scene& given, const core::Camera& camera,
                        core::ImageSize size, float maxPointPixels) {
+  const v1::Scene scene = forItsView(given);
   const ViewGeometry view = makeViewGeometry(camera, size);
   std::vector<DataTraits> traits;
   for (const auto& part : splitByFluid(particles)) {
@@ -14,7 +16,7 @@ core::Plan planPicture(const core::ParticleSnapshot& particles, const v1::Scene&
     const SplatScale scale = splatScale(splats, part->spacing);
     const SplatSelection selection = selectSplats(part->positions, makeSplatModel(*part, splats), view,
                                                   {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels});
-    traits.push_back(dataTraits(*part, selection, scale, view));
+    traits.push_back(dataTraits(*part, selection, scale, view, lookOf(scene, traits.size())));
   }
   return planFrame(scene, size, traits, {}).describe();
 }

@@ -49,6 +49,12 @@ void Planner::planMask() { run(Pass::Mask, {Resource::Surface}, {Resource::Stenc
 
 void Planner::planSmoothing() {
   const v1::Smoothing& smoothing = look().smoothing();
+  const v1::View& view = scene_.view();
+  if (view.has_raw_depth() || view.has_spheres() || view.has_points()) {
+    leaveOut("smoothing", "the view shows the splats as they are");
+    planMask();
+    return;
+  }
   if (smoothing.time() <= 0) {
     leaveOut("smoothing", "look.smoothing.time is 0");
     planMask();
@@ -86,7 +92,11 @@ void Planner::planSmoothing() {
 }
 
 void Planner::planThickness() {
-  if (look().liquid().opaque()) {
+  if (isStudy(scene_.view()) && !scene_.view().has_thickness()) {
+    leaveOut(Pass::Thickness, "the view does not show it");
+    return;
+  }
+  if (look().liquid().opaque() && !scene_.view().has_thickness()) {
     leaveOut(Pass::Thickness, "the liquid is opaque");
     leaveOut("refraction", "the liquid is opaque");
     return;
