@@ -40,10 +40,6 @@ void main() {
   vec3 P = vec3(slope, 1.0) / q;
   vec3 sight = normalize(vec3(slope, 1.0));
   vec3 normal = surfaceNormal(uv, slope, q, 3.0 * liquid.splat.x);
-#ifdef NORMALS
-  colour = vec4(0.5 + 0.5 * normal, 1.0);
-  return;
-#endif
 #ifndef OPAQUE
   float thickness = thicknessAt(slope);
   normal = roundedRim(normal, sight, slope, thickness);

@@ -18,7 +18,6 @@ std::vector<std::string_view> CompositeVariant::defines() const {
   if (phong) names.emplace_back("PHONG");
   if (highlight) names.emplace_back("HIGHLIGHT");
   if (!reflection) names.emplace_back("NO_REFLECTION");
-  if (normals) names.emplace_back("NORMALS");
   if (layered) names.emplace_back("LAYERED");
   if (noise) names.emplace_back("NOISE");
   if (whitening) names.emplace_back("WHITENING");
@@ -47,7 +46,6 @@ CompositeVariant compositeVariant(const v1::Liquid& liquid, const v1::Scene& sce
   variant.phong = liquid.has_phong() && !variant.metal;
   variant.highlight = hasHighlight(liquid, scene.lighting());
   variant.reflection = !liquid.has_no_reflection();
-  variant.normals = scene.view().has_normals();
   variant.layered = layered;
   return variant;
 }

@@ -20,7 +20,6 @@ struct CompositeVariant {
   bool phong = false;
   bool highlight = false;
   bool reflection = true;
-  bool normals = false;
   bool layered = false;
   bool noise = false;
   bool whitening = false;

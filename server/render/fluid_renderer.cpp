@@ -15,6 +15,7 @@
 #include "sluice/core/input_error.h"
 #include "sluice/gl/pass_clock.h"
 #include "splat_target.h"
+#include "study_pass.h"
 
 namespace sluice::render {
 
@@ -46,9 +47,10 @@ class FluidRenderer::Impl {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maxEdge_);
   }
 
-  core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
+  core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& given, const core::Camera& camera,
                      core::ImageSize size) {
     checkSize(size);
+    const v1::Scene scene = forItsView(given);
     const ViewGeometry view = makeViewGeometry(camera, size);
     clock_.start();
     if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, view);
@@ -80,8 +82,9 @@ class FluidRenderer::Impl {
     sceneOf_ = withoutSource(scene);
     cameraOf_ = camera;
     spacingOf_ = particles.spacing;
-    hasBackground_ = true;
+    hasBackground_ = plan.buffer(Resource::Background) != nullptr;
     hasPicture_ = true;
+    pictureSize_ = size;
     return finish(particles, size);
   }
 
@@ -152,7 +155,7 @@ class FluidRenderer::Impl {
   bool isLastPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
                      core::ImageSize size) const {
     return hasPicture_ && particles.sequence != 0 && particles.sequence == sequence_ &&
-           particles.spacing == spacingOf_ && cameraOf_ == camera && targets_.size({Resource::Background}) == size &&
+           particles.spacing == spacingOf_ && cameraOf_ == camera && pictureSize_ == size &&
            same(sceneOf_, withoutSource(scene));
   }
 
@@ -162,8 +165,7 @@ class FluidRenderer::Impl {
   }
 
   ReuseTraits reuse(const v1::Scene& scene, const core::Camera& camera, core::ImageSize size) const {
-    return {hasBackground_ && targets_.size({Resource::Background}) == size && cameraOf_ == camera &&
-            sameSurroundings(scene)};
+    return {hasBackground_ && pictureSize_ == size && cameraOf_ == camera && sameSurroundings(scene)};
   }
 
   /// The last frame's picture is still there.
@@ -222,7 +224,7 @@ class FluidRenderer::Impl {
     const SplatScale& scale = liquid.scale;
     liquid.selection = selectSplats(particles.positions, liquid.model, view,
                                     {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels_});
-    return dataTraits(particles, liquid.selection, scale, view);
+    return dataTraits(particles, liquid.selection, scale, view, look);
   }
 
   void uploadSplats(const FramePlan& plan, std::size_t k, const ViewGeometry& view) {
@@ -370,6 +372,7 @@ class FluidRenderer::Impl {
   double spacingOf_ = 0;
   bool hasBackground_ = false;
   bool hasPicture_ = false;
+  core::ImageSize pictureSize_;  ///< Of the last picture.
   ShadowMap shadow_;
   std::uint64_t shadowSequence_ = 0;
 

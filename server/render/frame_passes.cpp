@@ -31,6 +31,7 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
     case Pass::Noise:
       return noise_.run(frame);
     case Pass::BeginPicture:
+      if (isStudy(frame.scene.view())) return beginStudy(frame);
       return copy(frame, sceneOf(frame), Resource::Picture);
     case Pass::ExtendScene:
       return copy(frame, Resource::Picture, Resource::Scene);
@@ -38,6 +39,12 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return composite_.run(frame);
     case Pass::BlendLiquid:
       return blendLiquid_.run(frame);
+    case Pass::VelocityMap:
+      return colourMap_.runVelocityMap(frame);
+    case Pass::ColourMap:
+      return colourMap_.runColourMap(frame);
+    case Pass::Study:
+      return study_.run(frame);
     case Pass::Spray:
       return spray_.run(frame);
     case Pass::Foam:

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "colour_map_pass.h"
 #include "passes.h"
+#include "study_pass.h"
 
 namespace sluice::render {
 
@@ -34,6 +36,8 @@ class FramePasses {
   NoisePass noise_;
   CompositePass composite_;
   BlendLiquidPass blendLiquid_;
+  ColourMapPass colourMap_;
+  StudyPass study_;
   SprayPass spray_;
   FoamPass foam_;
   BlendFoamPass blendFoam_;

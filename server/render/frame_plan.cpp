@@ -42,6 +42,12 @@ std::string_view name(Pass pass) {
       return "composite";
     case Pass::BlendLiquid:
       return "blend liquid";
+    case Pass::VelocityMap:
+      return "velocity map";
+    case Pass::ColourMap:
+      return "colour map";
+    case Pass::Study:
+      return "study";
     case Pass::Spray:
       return "spray";
     case Pass::Foam:
@@ -92,6 +98,8 @@ std::string_view name(Resource resource) {
       return "noise sums";
     case Resource::Violence:
       return "violence";
+    case Resource::Attribute:
+      return "attribute";
     case Resource::Liquid:
       return "liquid";
     case Resource::Foam:
@@ -127,6 +135,7 @@ bool isOfLiquid(Resource resource) {
     case Resource::Stencil:
     case Resource::Thickness:
     case Resource::ThicknessScratch:
+    case Resource::Attribute:
       return true;
     default:
       return isAsFineAsSurface(resource);

@@ -28,7 +28,7 @@ GLenum internalFormat(PixelFormat format) {
 /// Read between pixels: where light is looked up, and the thickness, which may be smaller than the picture.
 bool isInterpolated(Resource resource) {
   return resource == Resource::Background || resource == Resource::Scene || resource == Resource::Liquid ||
-         resource == Resource::Thickness;
+         resource == Resource::Thickness || resource == Resource::Attribute;
 }
 
 /// Drawn where the stencil says that there is liquid.

@@ -44,6 +44,8 @@ void Planner::planComposite(int layer) {
     run(Pass::BlendLiquid, std::string(name(Pass::BlendLiquid)), {sceneUnderLiquid(), Resource::Liquid},
         {Resource::Picture}, 1, layer);
   }
+  planVelocityMap(layer);
+  planColourMap(layer);
 }
 
 void Planner::leaveOutOptics() {
@@ -60,9 +62,7 @@ void Planner::leaveOutOptics() {
 void Planner::planSpray() {
   for (std::size_t k = 0; k < liquids_.size(); ++k) {
     forLiquid(k);
-    if (scene_.view().has_normals()) {
-      leaveOut(Pass::Spray, "drops are no part of the surface that is shown");
-    } else if (traits().sprayDrops > 0) {
+    if (traits().sprayDrops > 0) {
       beginPicture();
       std::vector<Resource> reads{Resource::Particles, Resource::SplatList};
       if (traits().splats() > 0) reads.push_back(Resource::Surface);

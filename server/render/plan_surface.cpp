@@ -13,8 +13,8 @@ void Planner::planSurface() {
   planSplats();
   planSmoothing();
   planThickness();
-  planBackSurface();
-  planNoise();
+  if (!isStudy(scene_.view())) planBackSurface();
+  if (!isStudy(scene_.view()) || scene_.view().has_noise()) planNoise();
 }
 
 void Planner::planSplats() {
@@ -52,6 +52,12 @@ void Planner::planMask() { run(Pass::Mask, {Resource::Surface}, {Resource::Stenc
 
 void Planner::planSmoothing() {
   const v1::Smoothing& smoothing = look().smoothing();
+  const v1::View& view = scene_.view();
+  if (view.has_raw_depth() || view.has_spheres() || view.has_points()) {
+    leaveOut("smoothing", "the view shows the splats as they are");
+    planMask();
+    return;
+  }
   if (smoothing.time() <= 0) {
     leaveOut("smoothing", "look.smoothing.time is 0");
     planMask();
@@ -89,7 +95,11 @@ void Planner::planSmoothing() {
 }
 
 void Planner::planThickness() {
-  if (isOpaque(look().liquid())) {
+  if (isStudy(scene_.view()) && !scene_.view().has_thickness()) {
+    leaveOut(Pass::Thickness, "the view does not show it");
+    return;
+  }
+  if (isOpaque(look().liquid()) && !scene_.view().has_thickness()) {
     const char* const reason = look().liquid().has_metal() ? "the liquid is a metal" : "the liquid is opaque";
     leaveOut(Pass::Thickness, reason);
     leaveOut("refraction", reason);

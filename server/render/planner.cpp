@@ -20,6 +20,12 @@ FramePlan Planner::plan() {
     return std::move(plan_);
   }
   plan_.layers = std::max(1, static_cast<int>(liquidsWithSplats()));
+  if (isStudy(scene_.view())) {
+    forEachLiquid([&] { planSurface(); });
+    planStudies();
+    planToneMap();
+    return std::move(plan_);
+  }
   planBackground();
   planGroundShadow();
   if (liquidsWithSplats() == 0) {

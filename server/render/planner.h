@@ -33,6 +33,12 @@ class Planner {
   void planBackSurface();
   // plan_noise.cpp
   void planNoise();
+  // plan_colour_map.cpp
+  void planVelocityMap(int layer);
+  void planColourMap(int layer);
+  void planMap(Pass pass, const std::string& missing, int layer);
+  // plan_study.cpp
+  void planStudies();
   // plan_composite.cpp
   void beginPicture();
   void planComposites();

@@ -35,6 +35,9 @@ enum class Pass : std::uint8_t {
   ExtendScene,
   Composite,
   BlendLiquid,
+  VelocityMap,
+  ColourMap,
+  Study,
   Spray,
   Foam,
   BlendFoam,
@@ -61,6 +64,7 @@ enum class Resource : std::uint8_t {
   Noise,      ///< Height of waves over the smoothed surface, m.
   NoiseSums,  ///< What the noise is made of, see noise.frag.
   Violence,   ///< How shaken the liquid is, 0 to 1.
+  Attribute,  ///< A value of the particles at the surface.
   Liquid,   ///< The shaded liquid alone, where it is drawn smaller than the picture.
   Foam,     ///< Optical depth of spray, foam and bubbles: they hide 1 - exp(-it) of what is behind.
   Picture,  ///< Scene and liquid in linear light.
@@ -110,6 +114,8 @@ struct DataTraits {
   bool neighbourCounts = false;    ///< numbers of neighbours,
   bool ids = false;                ///< ids,
   bool velocities = false;         ///< and velocities.
+  std::string_view velocityMapMissing = {};  ///< Why the look's velocity map cannot be drawn; empty where it can.
+  std::string_view colourMapMissing = {};    ///< The same of its colour map.
 
   std::size_t splats() const { return points + largeSplats; }
 };
@@ -193,6 +199,9 @@ struct FramePlan {
 
 /// The picture's size divided by 1, 2 or 4, rounded up.
 core::ImageSize dividedSize(core::ImageSize size, unsigned divisor);
+
+/// Whether pictures show a step of how the scene is drawn, and not the scene.
+bool isStudy(const v1::View& view);
 
 /// The look of the k-th liquid of a complete scene.
 const v1::Look& lookOf(const v1::Scene& scene, std::size_t liquid);
