@@ -197,7 +197,8 @@ Lifetime lifetimeOf(BufferId id, const std::vector<PassStep>& steps) {
     life.last = i;
   }
   const bool isResult = resource == Resource::Picture || resource == Resource::Screen ||
-                        resource == Resource::Surface || resource == Resource::Thickness;
+                        resource == Resource::Surface || resource == Resource::BackSurface ||
+                        resource == Resource::Thickness;
   if (isResult) life.last = steps.size();
   return life;
 }
