@@ -20,6 +20,8 @@ constexpr std::array kGates{
     Gate{"liquid at full resolution", "look.smoothing.divisor=1", "look.smoothing.divisor=2", kFlyBy, kFlyBy},
     Gate{"liquid at half resolution", "look.smoothing.divisor=2", "look.smoothing.divisor=4", kFlyBy, kFlyBy},
     Gate{"highlight", "", "look.liquid.physical.specular=0", kFlyBy, kFlyBy},
+    Gate{"second interface", "look.liquid.two_interfaces={}", "look.liquid.snell={}", kFlyBy, kFlyBy},
+    Gate{"reflection", "", "look.liquid.no_reflection={}", kFlyBy, kFlyBy},
     Gate{"shadow", "", "lighting.sun.shadow=0", kBoth, kBoth},
     Gate{"floor", "", "background.floor=false", kBoth, kBoth},
     Gate{"splats deep inside", "look.splats.skip_interior=false", "look.splats.skip_interior=true", kFlyBy, kFlyBy},
