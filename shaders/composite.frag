@@ -24,10 +24,12 @@ in vec2 slope;
 out vec4 colour;
 
 // What comes from below an opaque surface.
-vec3 opaqueBody(vec3 normal) {
+vec3 opaqueBody(vec3 normal, float cosine) {
   vec3 body = liquid.colourAndDiffuse.rgb * lightBelow(normal, 0.15);
 #ifdef EMISSION
-  body += liquid.emission.rgb;
+  // A melt glows through a skin that has cooled down, of which an oblique line of sight passes more.
+  const float skin = 0.4;
+  body += liquid.emission.rgb * exp(skin - skin / max(cosine, 0.05));
 #endif
   return body;
 }
@@ -42,6 +44,7 @@ void main() {
   vec3 normal = surfaceNormal(uv, slope, q, 3.0 * liquid.splat.x);
 #ifndef OPAQUE
   float thickness = thicknessAt(slope);
+  float slabCosine = clamp(-dot(normal, sight), 0.0, 1.0);
   normal = roundedRim(normal, sight, slope, thickness);
 #endif
 #ifdef NOISE
@@ -54,9 +57,9 @@ void main() {
 
   vec3 body = vec3(0.0);
 #if defined(OPAQUE) && !defined(METAL)
-  body = opaqueBody(worldNormal);
+  body = opaqueBody(worldNormal, cosine);
 #elif !defined(OPAQUE)
-  body = clearBody(Entry(P, sight, normal, cosine, thickness, slope, origin), worldNormal);
+  body = clearBody(Entry(P, sight, normal, cosine, slabCosine, thickness, slope, origin), worldNormal);
 #endif
 #ifdef PHONG
   body = mix(body, liquid.colourAndDiffuse.rgb * lightBelow(worldNormal, 0.0), liquid.colourAndDiffuse.w);

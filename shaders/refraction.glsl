@@ -8,6 +8,7 @@ struct Entry {
   vec3 sight;
   vec3 normal;      // towards the eye
   float cosine;     // of the angle between both
+  float slabCosine; // the same before the rim was rounded: thickness goes by the smoothed surface
   float thickness;  // of the liquid along the line of sight, m
   vec2 slope;       // W of the line of sight
   vec3 origin;      // the place in the world
@@ -54,7 +55,9 @@ Transmitted transmitted(Entry entry) {
 Transmitted transmitted(Entry entry) {
   vec3 inside = refract(entry.sight, entry.normal, 1.0 / liquid.absorptionAndIndex.w);
   // A slab that is `thickness` long along the line of sight is that much longer or shorter along the refracted ray.
-  float path = entry.thickness * entry.cosine / max(-dot(inside, entry.normal), 1e-3);
+  float n = liquid.absorptionAndIndex.w;
+  float c = entry.slabCosine;
+  float path = entry.thickness * c / sqrt(1.0 - (1.0 - c * c) / (n * n) + 1e-6);
   vec3 leaves = entry.place + inside * path;
   float height = frame.floorAndHaze.x - entry.origin.y;
   float fall = toWorldDirection(inside).y;

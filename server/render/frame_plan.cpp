@@ -233,8 +233,9 @@ Lifetime lifetimeOf(BufferId id, const std::vector<PassStep>& steps) {
     life.last = i;
   }
   const bool isResult = resource == Resource::Picture || resource == Resource::Screen ||
-                        resource == Resource::Surface || resource == Resource::Thickness ||
-                        resource == Resource::Noise || resource == Resource::Violence;
+                        resource == Resource::Surface || resource == Resource::BackSurface ||
+                        resource == Resource::Thickness || resource == Resource::Noise ||
+                        resource == Resource::Violence || resource == Resource::Foam;
   if (isResult) life.last = steps.size();
   return life;
 }

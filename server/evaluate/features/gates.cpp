@@ -22,6 +22,8 @@ constexpr std::array kGates{
     Gate{"highlight", "", "look.liquid.physical.specular=0", kFlyBy, kFlyBy},
     Gate{"noise", "look.noise.amplitude=0.2", "look.noise.amplitude=0", kSimulation, kSimulation},
     Gate{"whitening by noise", "look.noise.whitening=0.6", "look.noise.whitening=0", kSimulation, kSimulation},
+    Gate{"second interface", "look.liquid.two_interfaces={}", "look.liquid.snell={}", kFlyBy, kFlyBy},
+    Gate{"reflection", "", "look.liquid.no_reflection={}", kFlyBy, kFlyBy},
     Gate{"shadow", "", "lighting.sun.shadow=0", kBoth, kBoth},
     Gate{"foam", "foam={}", "", kBoth, kBoth},
     Gate{"floor", "", "background.floor=false", kBoth, kBoth},

@@ -245,6 +245,21 @@ TEST_F(FramePlanTest, HighlightOfStrengthZeroIsLeftOut) {
   EXPECT_THAT(plan().leftOut, names("specular highlight"));
 }
 
+TEST_F(FramePlanTest, BackSurfaceIsForTwoInterfacesOfClearLiquidAlone) {
+  EXPECT_EQ(plan().buffer(Resource::BackSurface), nullptr);
+  EXPECT_THAT(plan().leftOut, names("back splats"));
+  look.mutable_liquid()->mutable_two_interfaces();
+  EXPECT_TRUE(plan().runs(Pass::BackSplats));
+  EXPECT_TRUE(plan().runs(Pass::BackSmoothing));
+  EXPECT_NE(plan().buffer(Resource::BackSurface), nullptr);
+  look.mutable_smoothing()->set_time(0);
+  EXPECT_FALSE(plan().runs(Pass::BackSmoothing));
+  look.mutable_liquid()->mutable_metal();
+  EXPECT_EQ(plan().buffer(Resource::BackSurface), nullptr);
+  EXPECT_EQ(plan().buffer(Resource::Thickness), nullptr);
+  EXPECT_THAT(plan().leftOut, names("refraction"));
+}
+
 TEST_F(FramePlanTest, ThicknessDivisorShrinksItsBuffer) {
   look.mutable_thickness()->set_divisor(4);
   EXPECT_EQ(plan().buffer(Resource::Thickness)->size, (core::ImageSize{160, 120}));
