@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Every, GoldenOfSmoothing, ::testing::ValuesIn(smoothing
                          [](const auto& method) { return std::string(method.param); });
 
 TEST_F(Golden, Normals) {
-  renderer.show(render::View::Normals);
+  scene.mutable_view()->mutable_normals();
   EXPECT_EQ(compareWithGolden("normals", draw()), "");
 }
 

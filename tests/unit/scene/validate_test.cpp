@@ -55,6 +55,12 @@ TEST(Validate, TakesOnlyTheValuesOfAList) {
   EXPECT_STREQ(error.what(), "look.thickness.divisor: 3 is not allowed; allowed is 1, 2 or 4");
 }
 
+TEST(Validate, TakesOnlyTheWordsOfAList) {
+  const auto error = errorAfter([](v1::Scene& s) { s.mutable_look()->set_preset("hony"); });
+  EXPECT_EQ(error.fieldPath(), "look.preset");
+  EXPECT_THAT(error.problem(), HasSubstr("did you mean honey?"));
+}
+
 TEST(Validate, ComparesNeighbouringFields) {
   auto error = errorAfter([](v1::Scene& s) { s.mutable_simulation()->mutable_container()->mutable_max()->set_y(-1); });
   EXPECT_STREQ(error.what(),
