@@ -34,7 +34,7 @@ void Caustics::trace(const CausticsInput& input, const LightGrid& grid) {
   v_.resize(kRays * grid.cells());
   firstRow_.resize(static_cast<std::size_t>(kRays * height));
   lastRow_.resize(static_cast<std::size_t>(kRays * height));
-  const auto at = [&](const auto& cells, int y) { return cells.data() + static_cast<std::ptrdiff_t>(y) * width; };
+  const auto at = [&](auto& cells, int y) { return cells.data() + static_cast<std::ptrdiff_t>(y) * width; };
 #pragma omp parallel for schedule(static)
   for (int y = 1; y < height - 1; ++y) {
     slopeRow({at(input.front, y - 1) + 1, at(input.front, y) + 1, at(input.front, y + 1) + 1}, input.limit,
@@ -113,9 +113,9 @@ void Caustics::land(const LightGrid& fine) {
         const auto upper = static_cast<int>(row);
         const auto left = static_cast<std::ptrdiff_t>(column);
         const std::ptrdiff_t next = column < lastColumn ? 1 : 0;
-        const auto add = [&](int y, float share) {
-          if (y < top || y >= bottom) return;
-          float* const cell = flux_.data() + static_cast<std::ptrdiff_t>(y) * width + left;
+        const auto add = [&](int target, float share) {
+          if (target < top || target >= bottom) return;
+          float* const cell = flux_.data() + static_cast<std::ptrdiff_t>(target) * width + left;
           cell[0] += (1.0F - right) * share;
           cell[next] += right * share;
         };

@@ -13,6 +13,10 @@ struct LitLiquid {
   Eigen::Array3f absorption = Eigen::Array3f::Zero();  ///< σ, 1/m.
   float refractiveIndex = 1;
   bool opaque = false;
+
+  bool operator==(const LitLiquid& other) const {
+    return (absorption == other.absorption).all() && refractiveIndex == other.refractiveIndex && opaque == other.opaque;
+  }
 };
 
 /// Particles that stand in sunlight. Those below the floor cast nothing on it.

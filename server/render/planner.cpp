@@ -21,7 +21,7 @@ FramePlan Planner::plan() {
   }
   plan_.layers = std::max(1, static_cast<int>(liquidsWithSplats()));
   planBackground();
-  planGroundShadow();
+  planSunlight();
   if (liquidsWithSplats() == 0) {
     leaveOut("liquid", "no particle is in the picture");
     if (anySpray()) run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});

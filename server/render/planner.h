@@ -22,7 +22,8 @@ class Planner {
  private:
   // plan_scene.cpp
   void planBackground();
-  void planGroundShadow();
+  void planSunlight();
+  void planCaustics();
   // plan_surface.cpp
   void planSurface();
   void planSplats();
@@ -55,7 +56,7 @@ class Planner {
   core::ImageSize thicknessSize() const { return dividedSize(size_, look().thickness().divisor()); }
   std::size_t liquidsWithSplats() const;
   bool anySpray() const;
-  /// The scene under the liquid: with its shadow where it has one.
+  /// The scene under the liquid: in the sunlight that the liquid lets through.
   Resource sceneUnderLiquid() const { return hasScene_ ? Resource::Scene : Resource::Background; }
 
   /// Resources of the liquid at hand, or of the frame.

@@ -51,6 +51,8 @@ const Eigen::Vector3f kOverhead = Eigen::Vector3f::UnitY();
 
 double sum(const std::vector<float>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
+float brightest(const std::vector<float>& values) { return *std::ranges::max_element(values); }
+
 /// Waves 1 cm high, 20 cm long, on water 40 cm above the floor: depth along the light is −height.
 float waves(const Eigen::Vector2f& place) { return -0.4F - 0.01F * std::sin(31.4F * place.x()); }
 
@@ -65,7 +67,7 @@ TEST(Caustics, WavesDrawBrightFilaments) {
   Surface surface(0.5F, kOverhead, waves);
   const std::vector<float> focus = surface.focus(0.0F);
   // Crests gather: h·(1 − 1/n)·A·k² is close to 1, a focus.
-  EXPECT_GT(*std::ranges::max_element(focus), 3.0F);
+  EXPECT_GT(brightest(focus), 3.0F);
 }
 
 TEST(Caustics, FlatSurfaceFocusesNothing) {
@@ -113,10 +115,10 @@ TEST(Caustics, DropIsALens) {
   const std::vector<float> focus = surface.focus(0.0F);
   const int width = 2 * surface.grid.width;
   const int height = 2 * surface.grid.height;
-  const auto brightest = std::ranges::max_element(focus) - focus.begin();
-  EXPECT_GT(focus[static_cast<std::size_t>(brightest)], 5.0F);
-  EXPECT_NEAR(static_cast<float>(brightest % width) + 0.5F, 0.5F * static_cast<float>(width), 3.0F);
-  EXPECT_NEAR(static_cast<float>(brightest / width) + 0.5F, 0.5F * static_cast<float>(height), 3.0F);
+  const auto peak = std::ranges::max_element(focus) - focus.begin();
+  EXPECT_GT(focus[static_cast<std::size_t>(peak)], 5.0F);
+  EXPECT_NEAR(static_cast<float>(peak % width) + 0.5F, 0.5F * static_cast<float>(width), 3.0F);
+  EXPECT_NEAR(static_cast<float>(peak / width) + 0.5F, 0.5F * static_cast<float>(height), 3.0F);
   EXPECT_NEAR(sum(focus) / static_cast<double>(focus.size()), 1.0, 1e-4);
 }
 
@@ -127,9 +129,9 @@ TEST(Caustics, WithoutRefractionLightIsAsItWas) {
 
 TEST(Caustics, NearerReceiversSeeLessFocus) {
   Surface surface(0.5F, kOverhead, waves);
-  const float far = *std::ranges::max_element(surface.focus(0.0F));
+  const float far = brightest(surface.focus(0.0F));
   const std::vector<float> receiver(surface.grid.cells(), -0.3F);
-  const float near = *std::ranges::max_element(surface.focus(0.0F, kIndex, receiver));
+  const float near = brightest(surface.focus(0.0F, kIndex, receiver));
   EXPECT_LT(near, 0.7F * far);
   EXPECT_GT(near, 1.1F);
 }
