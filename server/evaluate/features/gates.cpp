@@ -21,6 +21,7 @@ constexpr std::array kGates{
     Gate{"liquid at half resolution", "look.smoothing.divisor=2", "look.smoothing.divisor=4", kFlyBy, kFlyBy},
     Gate{"highlight", "", "look.liquid.physical.specular=0", kFlyBy, kFlyBy},
     Gate{"shadow", "", "lighting.sun.shadow=0", kBoth, kBoth},
+    Gate{"caustics", "", "lighting.sun.caustics=0", kBoth, kBoth},
     Gate{"floor", "", "background.floor=false", kBoth, kBoth},
     Gate{"splats deep inside", "look.splats.skip_interior=false", "look.splats.skip_interior=true", kFlyBy, kFlyBy},
     Gate{"background of a moving camera", "", "", kBoth, kSimulation},

@@ -155,6 +155,15 @@ TEST_F(FramePlanTest, BuffersThatNeverMeetShareMemory) {
   EXPECT_FALSE(p.buffer(Resource::Surface)->sharedWith);
 }
 
+TEST_F(FramePlanTest, SunlightNeedsASunAboveTheHorizon) {
+  EXPECT_TRUE(plan().runs(Pass::Sunlight));
+  sun.set_strength(0);
+  EXPECT_FALSE(plan().runs(Pass::Sunlight));
+  sun.set_strength(1);
+  sun.mutable_direction()->set_y(-0.5);
+  EXPECT_FALSE(plan().runs(Pass::Sunlight));
+}
+
 TEST_F(FramePlanTest, ShadowNeedsFloorAndStrength) {
   background.set_floor(false);
   EXPECT_FALSE(plan().runs(Pass::Sunlight));
