@@ -71,7 +71,9 @@ class FluidRenderer::Impl {
 
     setUpGl();
     for (std::size_t k = 0; k < liquids_.size(); ++k) uploadSplats(plan, k, view);
-    castShadowIfNeeded(plan, particles, scene);
+    if (plan.runs(Pass::Sunlight)) light_.update(particles, scene, liquids_.size());
+    passes_.setLight(light_);
+    clock_.lap("light map");
     uploadUniforms(plan, scene, view);
     clock_.lap("upload");
     for (const PassStep& step : plan.steps) {
@@ -271,30 +273,13 @@ class FluidRenderer::Impl {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   }
 
-  void castShadowIfNeeded(const FramePlan& plan, const core::ParticleSnapshot& particles, const v1::Scene& scene) {
-    bool isNew = false;
-    if (plan.runs(Pass::GroundShadow)) {
-      // Of these particles, and not of some that came while no shadow was in the picture.
-      if (newParticles_ || shadowSequence_ != sequence_ || !sameSurroundings(scene)) {
-        shadow_ =
-            castShadow(particles.positions, static_cast<float>(particles.spacing),
-                       static_cast<float>(scene.background().floor_height()), sunDirection(scene.lighting().sun()));
-        isNew = true;
-        shadowSequence_ = sequence_;
-      }
-    }
-    passes_.setShadow(shadow_, isNew);
-  }
-
   void uploadUniforms(const FramePlan& plan, const v1::Scene& scene, const ViewGeometry& view) {
     const auto upload = [&](gl::StreamBuffer& buffer, const auto& uniforms) {
       buffer.upload(std::as_bytes(std::span(&uniforms, 1)));
     };
     const auto frameUniforms = [&](const ViewGeometry& target) {
       FrameUniforms uniforms = makeFrameUniforms(target, view, scene);
-      uniforms.shadow[1] = shadow_.corner.x();
-      uniforms.shadow[2] = shadow_.corner.y();
-      uniforms.shadow[3] = shadow_.edge;
+      placeLightMap(uniforms, light_.map().grid);
       return uniforms;
     };
     upload(pictureUniforms_, frameUniforms(view));
@@ -373,8 +358,7 @@ class FluidRenderer::Impl {
   bool hasBackground_ = false;
   bool hasPicture_ = false;
   core::ImageSize pictureSize_;  ///< Of the last picture.
-  ShadowMap shadow_;
-  std::uint64_t shadowSequence_ = 0;
+  KeptLightMap light_;
 
   FramePasses passes_;
 };

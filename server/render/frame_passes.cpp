@@ -6,8 +6,8 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
   switch (pass) {
     case Pass::Background:
       return background_.run(frame);
-    case Pass::GroundShadow:
-      return groundShadow_.run(frame, *shadow_, newShadow_);
+    case Pass::Sunlight:
+      return sunlight_.run(frame, *light_);
     case Pass::SelectSplats:
       return;
     case Pass::Splats:

@@ -18,15 +18,12 @@ class FramePasses {
   /// What the last tone map gave: 8-bit sRGB, RGBA, row by row from the top.
   std::vector<std::uint8_t> takePixels() { return std::move(pixels_); }
 
-  /// The shadow that the next ground shadow draws; `isNew` says that it has changed.
-  void setShadow(const ShadowMap& map, bool isNew) {
-    shadow_ = &map;
-    newShadow_ = isNew;
-  }
+  /// The light that falls on the scene of the frames to come.
+  void setLight(const KeptLightMap& light) { light_ = &light; }
 
  private:
   BackgroundPass background_;
-  GroundShadowPass groundShadow_;
+  SunlightPass sunlight_;
   SplatsPass splats_;
   MaskPass mask_;
   SmoothingPass smoothing_;
@@ -43,8 +40,7 @@ class FramePasses {
   BlendFoamPass blendFoam_;
   ToneMapPass toneMap_;
 
-  const ShadowMap* shadow_ = nullptr;
-  bool newShadow_ = false;
+  const KeptLightMap* light_ = nullptr;
   std::vector<std::uint8_t> pixels_;
 };
 

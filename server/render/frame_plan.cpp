@@ -10,8 +10,8 @@ std::string_view name(Pass pass) {
   switch (pass) {
     case Pass::Background:
       return "background";
-    case Pass::GroundShadow:
-      return "ground shadow";
+    case Pass::Sunlight:
+      return "sunlight";
     case Pass::SelectSplats:
       return "select splats";
     case Pass::Splats:
@@ -66,8 +66,8 @@ std::string_view name(Resource resource) {
       return "particles";
     case Resource::SplatList:
       return "splat list";
-    case Resource::ShadowMap:
-      return "shadow map";
+    case Resource::LightMap:
+      return "light map";
     case Resource::Background:
       return "background";
     case Resource::Scene:

@@ -9,9 +9,9 @@
 
 #include "composite_variant.h"
 #include "frame_context.h"
+#include "kept_light_map.h"
 #include "noise_programs.h"
 #include "noise_raster.h"
-#include "shadow_map.h"
 #include "sluice/render/fluid_renderer.h"
 #include "smoothing/smoothing_method.h"
 #include "splat_target.h"
@@ -32,17 +32,19 @@ class BackgroundPass {
   gl::Program floor_;
 };
 
-/// Copies the background into the scene and darkens the floor there.
-class GroundShadowPass {
+/// Copies the background into the scene and puts the sunlight right that meets the floor behind liquid.
+class SunlightPass {
  public:
-  GroundShadowPass();
-  /// `map` is where the shadow lies; `isNew` says that its content has changed since the last call.
-  void run(const FrameContext& frame, const ShadowMap& map, bool isNew);
+  SunlightPass();
+  void run(const FrameContext& frame, const KeptLightMap& light);
 
  private:
-  gl::Program clear_;
-  gl::Program opaque_;
+  void upload(const LightMap& map);
+
+  gl::Program program_;
   gl::Texture texture_;
+  core::ImageSize size_;
+  std::uint64_t version_ = 0;  ///< Of the map in the texture.
 };
 
 /// Splats the depth of the particles' spheres, or what the look has instead: points on the CPU where that is what draws
@@ -192,7 +194,7 @@ void bindOtherSurfaces(const FrameContext& frame, const gl::Program& program);
 /// Binds noise and violence for surface_noise.glsl, and what it has to know of them.
 void bindNoise(const FrameContext& frame, const gl::Program& program);
 
-/// The scene under the liquid: with its shadow where it has one.
+/// The scene under the liquid: in the sunlight that the liquid lets through.
 Resource sceneOf(const FrameContext& frame);
 
 }  // namespace sluice::render

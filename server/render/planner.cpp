@@ -27,7 +27,7 @@ FramePlan Planner::plan() {
     return std::move(plan_);
   }
   planBackground();
-  planGroundShadow();
+  planSunlight();
   if (liquidsWithSplats() == 0) {
     leaveOut("liquid", "no particle is in the picture");
     if (anySpray()) run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});

@@ -22,7 +22,8 @@ class Planner {
  private:
   // plan_scene.cpp
   void planBackground();
-  void planGroundShadow();
+  void planSunlight();
+  void planCaustics();
   // plan_surface.cpp
   void planSurface();
   void planSplats();
@@ -69,7 +70,7 @@ class Planner {
   std::size_t liquidsWithSplats() const;
   bool anySpray() const;
   std::size_t foamDots() const { return liquids_.empty() ? 0 : liquids_.front().foamDots; }
-  /// The scene under the liquid: with its shadow where it has one.
+  /// The scene under the liquid: in the sunlight that the liquid lets through.
   Resource sceneUnderLiquid() const { return hasScene_ ? Resource::Scene : Resource::Background; }
 
   /// Resources of the liquid at hand, or of the frame.

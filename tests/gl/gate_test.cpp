@@ -81,7 +81,7 @@ TEST_F(Gate, ShadowIsThatOfParticlesThatCameWhileTheyWereOutOfView) {
   away.target = camera.eye + (camera.eye - camera.target);
   particles.sequence = 2;
   render(particles, away, size);
-  EXPECT_FALSE(ran("ground shadow"));
+  EXPECT_FALSE(ran("sunlight"));
   const core::Frame back = render(particles, camera, size);
   particles.sequence = 3;
   EXPECT_EQ(back.pixels, render(particles, camera, size).pixels);
@@ -130,10 +130,10 @@ TEST_F(Gate, HighlightWithoutSunlightIsTheSame) {
 TEST_F(Gate, ShadowOfNoStrengthIsTheSame) {
   sun.set_shadow(0);
   const core::Frame without = render(particles, camera, size);
-  EXPECT_FALSE(ran("ground shadow"));
+  EXPECT_FALSE(ran("sunlight"));
   sun.set_shadow(1e-9);
   const core::Frame with = render(particles, camera, size);
-  EXPECT_TRUE(ran("ground shadow"));
+  EXPECT_TRUE(ran("sunlight"));
   EXPECT_EQ(without.pixels, with.pixels);
 }
 

@@ -154,11 +154,11 @@ TEST_F(Golden, CompositeOpaque) {
   EXPECT_EQ(compareWithGolden("composite_opaque", draw()), "");
 }
 
-TEST_F(Golden, GroundShadow) {
-  // From high up, with much shadow and the liquid all but invisible.
+TEST_F(Golden, Sunlight) {
+  // From high up, where the shadow falls towards the eye.
   sun.set_shadow(1);
   camera.eye = {-1.5F, 2.0F, -1.5F};
-  EXPECT_EQ(compareWithGolden("ground_shadow", draw()), "");
+  EXPECT_EQ(compareWithGolden("sunlight", draw()), "");
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ constexpr std::array kGates{
     Gate{"reflection", "", "look.liquid.no_reflection={}", kFlyBy, kFlyBy},
     Gate{"shadow", "", "lighting.sun.shadow=0", kBoth, kBoth},
     Gate{"foam", "foam={}", "", kBoth, kBoth},
+    Gate{"caustics", "", "lighting.sun.caustics=0", kBoth, kBoth},
     Gate{"floor", "", "background.floor=false", kBoth, kBoth},
     Gate{"splats deep inside", "look.splats.skip_interior=false", "look.splats.skip_interior=true", kFlyBy, kFlyBy},
     Gate{"background of a moving camera", "", "", kBoth, kSimulation},

@@ -51,7 +51,7 @@ TEST_F(FramePlanTest, IsPure) {
 
 TEST_F(FramePlanTest, DefaultRunsEveryPartOfTheLook) {
   const FramePlan p = plan();
-  for (const Pass pass : {Pass::Background, Pass::GroundShadow, Pass::SelectSplats, Pass::Splats, Pass::Mask,
+  for (const Pass pass : {Pass::Background, Pass::Sunlight, Pass::SelectSplats, Pass::Splats, Pass::Mask,
                           Pass::Smoothing, Pass::Thickness, Pass::SmoothThickness, Pass::Composite}) {
     EXPECT_TRUE(p.runs(pass)) << name(pass);
   }
@@ -155,13 +155,22 @@ TEST_F(FramePlanTest, BuffersThatNeverMeetShareMemory) {
   EXPECT_FALSE(p.buffer(Resource::Surface)->sharedWith);
 }
 
+TEST_F(FramePlanTest, SunlightNeedsASunAboveTheHorizon) {
+  EXPECT_TRUE(plan().runs(Pass::Sunlight));
+  sun.set_strength(0);
+  EXPECT_FALSE(plan().runs(Pass::Sunlight));
+  sun.set_strength(1);
+  sun.mutable_direction()->set_y(-0.5);
+  EXPECT_FALSE(plan().runs(Pass::Sunlight));
+}
+
 TEST_F(FramePlanTest, ShadowNeedsFloorAndStrength) {
   background.set_floor(false);
-  EXPECT_FALSE(plan().runs(Pass::GroundShadow));
+  EXPECT_FALSE(plan().runs(Pass::Sunlight));
   background.set_floor(true);
   sun.set_shadow(0);
   const FramePlan p = plan();
-  EXPECT_FALSE(p.runs(Pass::GroundShadow));
+  EXPECT_FALSE(p.runs(Pass::Sunlight));
   EXPECT_EQ(p.buffer(Resource::Scene), nullptr);
 }
 
@@ -200,7 +209,7 @@ TEST_F(FramePlanTest, SprayAloneNeedsNoLiquid) {
   traits.sprayDrops = 3;
   const FramePlan p = plan();
   EXPECT_TRUE(p.runs(Pass::Spray));
-  EXPECT_TRUE(p.runs(Pass::GroundShadow));
+  EXPECT_TRUE(p.runs(Pass::Sunlight));
   EXPECT_FALSE(p.runs(Pass::Splats));
   EXPECT_EQ(p.buffer(Resource::Surface), nullptr);
   EXPECT_NE(p.buffer(Resource::Picture), nullptr);

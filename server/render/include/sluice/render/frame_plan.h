@@ -19,7 +19,7 @@ namespace sluice::render {
 /// Everything a frame may run, in the order in which it runs.
 enum class Pass : std::uint8_t {
   Background,
-  GroundShadow,
+  Sunlight,
   SelectSplats,
   Splats,
   LargeSplats,
@@ -48,7 +48,7 @@ enum class Pass : std::uint8_t {
 enum class Resource : std::uint8_t {
   Particles,       ///< Positions, as they came.
   SplatList,       ///< Which particles are drawn, and how.
-  ShadowMap,       ///< Liquid that sunlight passes before it meets the floor.
+  LightMap,        ///< What becomes of sunlight that passes the liquid.
   Background,      ///< What surrounds the liquid, in linear light; alpha is the share that comes from the sun.
   Scene,           ///< The same with what the liquid does to the sunlight, and with liquids farther off.
   Surface,         ///< Inverse eye depth q = 1/z of the liquid's front, 1/m; 0 where there is none.
