@@ -11,7 +11,7 @@ namespace sluice::render {
 
 /// What focused light is worked out from, all on one grid.
 struct CausticsInput {
-  std::span<const float> front;         ///< Depth of the smoothed surface along the light, m, or kNoLiquid.
+  std::span<const float> front;         ///< Depth of the smoothed surface along the light, m, or kEmptyCell.
   std::span<const float> inverseIndex;  ///< 1/n of the liquid in front; 1 where it turns no light.
   /// Depth of what the light falls on where that is above the floor, m; or empty. A ray takes the one of its own cell.
   std::span<const float> receiver;

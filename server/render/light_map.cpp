@@ -109,7 +109,7 @@ void LightMapper::assemble(std::span<const float> focus, float caustics, const L
     // There is no liquid along the border, and its light fades into that around the map.
     for (const std::ptrdiff_t x : {std::ptrdiff_t{0}, std::ptrdiff_t{1}, 2 * width - 2, 2 * width - 1}) {
       std::fill_n(texels + 4 * x, 3, 1.0F);
-      texels[4 * x + 3] = kNoLiquid;
+      texels[4 * x + 3] = kEmptyCell;
     }
   }
 }

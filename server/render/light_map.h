@@ -14,7 +14,7 @@ namespace sluice::render {
 struct LightMap {
   LightGrid grid;  ///< Of no cells where no particle stands in sunlight.
   /// Row by row, for every cell: the factor of sunlight behind the liquid, red, green, blue, 1 where there is none; and
-  /// the depth along the light of the liquid's first surface, m, or kNoLiquid. What is nearer to the sun stays lit.
+  /// the depth along the light of the liquid's first surface, m, or kEmptyCell. What is nearer to the sun stays lit.
   std::vector<float> texels;
 };
 

@@ -73,14 +73,14 @@ SLUICE_SIMD_CLONES void traceRow(const RayRow& row, float* __restrict u, float* 
   const float startY = r.y + quarterY * r.cell;
   const float* const __restrict front = r.rows.front;
   const float* const __restrict receiver = r.receiver == nullptr ? front : r.receiver;
-  const float noReceiver = r.receiver == nullptr ? 2.0F * kNoLiquid : 0.0F;
+  const float noReceiver = r.receiver == nullptr ? 2.0F * kEmptyCell : 0.0F;
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
-    const bool liquid = front[i] < kNoLiquid;
+    const bool liquid = front[i] < kEmptyCell;
     const int next = i + r.side;
     // Slopes go over from cell to cell in a plane through this cell and its two neighbours, as far as there are any.
-    const float towardsX = front[next] < kNoLiquid ? quarterX * static_cast<float>(r.side) : 0.0F;
-    const float towardsY = r.besideFront[i] < kNoLiquid ? quarterY * r.sideY : 0.0F;
+    const float towardsX = front[next] < kEmptyCell ? quarterX * static_cast<float>(r.side) : 0.0F;
+    const float towardsY = r.besideFront[i] < kEmptyCell ? quarterY * r.sideY : 0.0F;
     const float sx =
         r.slopeX[i] + towardsX * (r.slopeX[next] - r.slopeX[i]) + towardsY * (r.besideSlopeX[i] - r.slopeX[i]);
     const float sy =

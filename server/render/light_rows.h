@@ -7,7 +7,7 @@ namespace sluice::render {
 // The inner loops of the light map, compiled for several instruction sets. Rows have the same number of cells.
 
 /// Depth of a cell without liquid, m: farther than anything, and so far from liquid that nothing is exchanged with it.
-constexpr float kNoLiquid = 1e30F;
+constexpr float kEmptyCell = 1e30F;
 
 /// One sweep of the mean of three cells along a line, for `count` cells whose neighbours stand `step` before and
 /// behind. Cells more than `limit` apart exchange nothing; what the others exchange is the same both ways, so that the

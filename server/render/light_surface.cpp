@@ -53,7 +53,7 @@ struct CapShape {
     for (int i = 0; i < kCapCells; ++i) {
       const float dx = firstX + static_cast<float>(i) + 0.5F - x;
       const float squared = dx * dx + dy * dy;
-      row[i] = std::min(row[i], squared <= cap.radius * cap.radius ? top + cap.bend * squared : kNoLiquid);
+      row[i] = std::min(row[i], squared <= cap.radius * cap.radius ? top + cap.bend * squared : kEmptyCell);
     }
   }
 }
@@ -61,11 +61,11 @@ struct CapShape {
 }  // namespace
 
 SunlitBounds LightSurface::bounds(const SunlitParticles& particles, const LightAxes& axes) {
-  float left = kNoLiquid;
-  float top = kNoLiquid;
-  float right = -kNoLiquid;
-  float bottom = -kNoLiquid;
-  float highest = -kNoLiquid;
+  float left = kEmptyCell;
+  float top = kEmptyCell;
+  float right = -kEmptyCell;
+  float bottom = -kEmptyCell;
+  float highest = -kEmptyCell;
   const auto count = static_cast<std::ptrdiff_t>(particles.positions.size());
 #pragma omp parallel for schedule(static) reduction(min : left, top) reduction(max : right, bottom, highest)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
@@ -90,7 +90,7 @@ void LightSurface::draw(const SunlitParticles& particles, std::size_t liquids, c
   for (std::size_t k = 0; k < kParts; ++k) {
     parts_[k].resize(liquids);
     for (Layer& layer : parts_[k]) {
-      layer.front.assign(grid.cells(), kNoLiquid);
+      layer.front.assign(grid.cells(), kEmptyCell);
       layer.thickness.assign(grid.cells(), 0.0F);
     }
     drawPart(particles, grid, count * k / kParts, count * (k + 1) / kParts, parts_[k]);
@@ -98,7 +98,7 @@ void LightSurface::draw(const SunlitParticles& particles, std::size_t liquids, c
   join(liquids, grid);
   const float deviation = kThicknessDeviation * particles.spacing / grid.cell;
   for (std::vector<float>& thickness : thickness_) {
-    smoothLines(thickness, grid.width, {.sweeps = sweepsFor(deviation), .limit = kNoLiquid, .outside = 0.0F});
+    smoothLines(thickness, grid.width, {.sweeps = sweepsFor(deviation), .limit = kEmptyCell, .outside = 0.0F});
   }
 }
 
@@ -131,7 +131,7 @@ void LightSurface::join(std::size_t liquids, const LightGrid& grid) {
   for (int y = 0; y < grid.height; ++y) {
     const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width);
     const std::size_t last = first + static_cast<std::size_t>(grid.width);
-    std::fill(front_.data() + first, front_.data() + last, kNoLiquid);
+    std::fill(front_.data() + first, front_.data() + last, kEmptyCell);
     for (std::size_t liquid = 0; liquid < liquids; ++liquid) {
       const auto front = [&](std::size_t k) { return parts_[k][liquid].front.data(); };
       const auto thickness = [&](std::size_t k) { return parts_[k][liquid].thickness.data(); };
@@ -147,7 +147,7 @@ void LightSurface::join(std::size_t liquids, const LightGrid& grid) {
 
 void LightSurface::smoothFront(const LightGrid& grid, float deviation, float spacing) {
   smoothLines(front_, grid.width,
-              {.sweeps = sweepsFor(deviation / grid.cell), .limit = kStepOfFront * spacing, .outside = kNoLiquid});
+              {.sweeps = sweepsFor(deviation / grid.cell), .limit = kStepOfFront * spacing, .outside = kEmptyCell});
 }
 
 }  // namespace sluice::render

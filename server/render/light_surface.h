@@ -46,7 +46,7 @@ class LightSurface {
   /// Evens the front out over a Gaussian of standard deviation `deviation`, m, but not across steps of its depth.
   void smoothFront(const LightGrid& grid, float deviation, float spacing);
 
-  /// Depth along the light, m; kNoLiquid where there is none.
+  /// Depth along the light, m; kEmptyCell where there is none.
   std::span<const float> front() const { return front_; }
   /// The liquid in front at each cell, or empty: there is but one.
   std::span<const std::uint8_t> frontLiquid() const { return frontLiquid_; }

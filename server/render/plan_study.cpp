@@ -5,7 +5,7 @@ namespace sluice::render {
 void Planner::planStudies() {
   const v1::View& view = scene_.view();
   leaveOut(Pass::Background, "a study view stands before plain grey");
-  leaveOut(Pass::GroundShadow, "a study view stands before plain grey");
+  leaveOut(Pass::Sunlight, "a study view stands before plain grey");
   leaveOut(Pass::Composite, "a study view is shown");
   leaveOut(Pass::Spray, "a study view is shown");
   if (view.has_noise()) leaveOut("noise", "the scene has none");

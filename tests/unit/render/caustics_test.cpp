@@ -18,7 +18,7 @@ class Surface {
  public:
   template <class Depth>
   Surface(float halfWidth, const Eigen::Vector3f& sun, const Depth& depth)
-      : grid(coverWithCells(lightAxes(sun), square(halfWidth), 0.3F, kCell)), front(grid.cells(), kNoLiquid) {
+      : grid(coverWithCells(lightAxes(sun), square(halfWidth), 0.3F, kCell)), front(grid.cells(), kEmptyCell) {
     for (int y = 0; y < grid.height; ++y) {
       for (int x = 0; x < grid.width; ++x) {
         const Eigen::Vector2f place =
@@ -101,7 +101,7 @@ TEST(Caustics, FlatSurfaceShiftsLightAsSnellSays) {
   for (std::size_t i = 0; i < focus.size(); ++i) {
     moment += (focus[i] - 1.0) * 0.5 * surface.grid.cell * static_cast<double>(static_cast<int>(i) / width);
   }
-  for (const float depthHere : surface.front) passed += depthHere < kNoLiquid ? 4 : 0;
+  for (const float depthHere : surface.front) passed += depthHere < kEmptyCell ? 4 : 0;
   EXPECT_NEAR(std::abs(moment) / passed, shift, 0.01 * shift);
 }
 
@@ -110,7 +110,7 @@ TEST(Caustics, DropIsALens) {
   const float radius = 0.15F;
   Surface surface(0.5F, kOverhead, [&](const Eigen::Vector2f& place) {
     const float room = radius * radius - place.squaredNorm();
-    return room > 0.0F ? -0.25F - std::sqrt(room) : kNoLiquid;
+    return room > 0.0F ? -0.25F - std::sqrt(room) : kEmptyCell;
   });
   const std::vector<float> focus = surface.focus(0.0F);
   const int width = 2 * surface.grid.width;

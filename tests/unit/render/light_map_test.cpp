@@ -80,7 +80,7 @@ TEST(LightMap, FarFromTheLiquidLightIsAsItWas) {
   const LightMap map = make(box({-0.3F, 0.0F, -0.3F}, {0.3F, 0.1F, 0.3F}), water(), 1.0F);
   const float* const corner = map.texels.data();
   EXPECT_EQ(corner[0], 1.0F);
-  EXPECT_GE(corner[3], kNoLiquid);
+  EXPECT_GE(corner[3], kEmptyCell);
   for (std::size_t i = 0; i < map.texels.size(); i += 4) EXPECT_GE(map.texels[i], 0.0F);
 }
 
