@@ -10,7 +10,7 @@ void main() {
   gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
   // The direction (W, 1) is linear over the picture, so that the horizon is a straight cut.
   float rise = toWorldDirection(vec3(slope, 1.0)).y;
-  float towardsFloor = rise * (frame.floorAndHaze.x < frame.eyeAndNear.y ? -1.0 : 1.0);
+  float towardsFloor = rise * (frame.floorAndHaze.x < frame.eye.y ? -1.0 : 1.0);
 #ifdef FLOOR
   gl_ClipDistance[0] = towardsFloor;
 #else

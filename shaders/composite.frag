@@ -1,11 +1,14 @@
 // The liquid over the scene: what it reflects, what it lets through, what it sends back from inside.
 #include "frame_uniforms.glsl"
+#include "liquid_uniforms.glsl"
 #include "surface.glsl"
 #include "normal.glsl"
 #include "fresnel.glsl"
 #include "sky.glsl"
 #include "floor.glsl"
-#include "tone.glsl"
+#ifdef LAYERED
+#include "layers.glsl"
+#endif
 
 layout(binding = 1) uniform sampler2D scene;
 layout(binding = 2) uniform sampler2D thicknessMap;
@@ -31,7 +34,7 @@ vec3 surroundings(vec3 origin, vec3 direction) {
 // of sight. Past the liquid the ray goes on as it came, as behind a slab, until it meets the scene, whose picture is
 // looked up there.
 vec3 refracted(vec3 P, vec3 sight, vec3 normal, float thickness, vec3 origin) {
-  vec3 inside = refract(sight, normal, 1.0 / frame.absorptionAndIndex.w);
+  vec3 inside = refract(sight, normal, 1.0 / liquid.absorptionAndIndex.w);
   vec3 leaves = P + inside * thickness;
   vec3 worldInside = toWorldDirection(inside);
   vec3 worldSight = toWorldDirection(sight);
@@ -48,10 +51,10 @@ vec3 refracted(vec3 P, vec3 sight, vec3 normal, float thickness, vec3 origin) {
       hit = leaves + sight * min(left / worldSight.y, 1e3);
     }
   }
-  vec2 place = 0.5 + 0.5 * hit.xy / (hit.z * frame.otherSlopes.xy);
+  vec2 place = 0.5 + 0.5 * hit.xy / (hit.z * frame.pictureSlopes.xy);
   // A ray turned out of the picture, or to a place before the liquid, sees what is straight behind.
   bool usable = hit.z > P.z && all(equal(place, clamp(place, 0.0, 1.0)));
-  return texture(scene, usable ? place : 0.5 + 0.5 * slope / frame.otherSlopes.xy).rgb;
+  return texture(scene, usable ? place : 0.5 + 0.5 * slope / frame.pictureSlopes.xy).rgb;
 }
 #endif
 
@@ -71,9 +74,12 @@ float covered() {
 
 void main() {
   float q = inverseDepthAt(uv);
+#ifdef LAYERED
+  if (!isOfLayer(slope, q)) discard;
+#endif
   vec3 P = vec3(slope, 1.0) / q;
   vec3 sight = normalize(vec3(slope, 1.0));
-  vec3 normal = surfaceNormal(uv, slope, q, 3.0 * frame.splat.x);
+  vec3 normal = surfaceNormal(uv, slope, q, 3.0 * liquid.splat.x);
 #ifdef NORMALS
   colour = vec4(0.5 + 0.5 * normal, 1.0);
   return;
@@ -82,33 +88,33 @@ void main() {
 
   vec3 worldNormal = toWorldDirection(normal);
   vec3 worldSight = toWorldDirection(sight);
-  vec3 origin = frame.eyeAndNear.xyz + toWorldDirection(P);
-  float reflectance = fresnel(cosine, frame.absorptionAndIndex.w);
+  vec3 origin = frame.eye.xyz + toWorldDirection(P);
+  float reflectance = fresnel(cosine, liquid.absorptionAndIndex.w);
   vec3 mirrored = reflect(worldSight, worldNormal);
   vec3 reflection = surroundings(origin, mirrored);
   float lit = max(dot(worldNormal, frame.sun.xyz), 0.0);
   float skyLight = 0.5 + 0.5 * worldNormal.y;
 
 #ifdef OPAQUE
-  vec3 body = frame.colourAndSpecular.rgb * (0.35 * skyLight + 0.75 * lit + 0.1);
+  vec3 body = liquid.colourAndSpecular.rgb * (0.35 * skyLight + 0.75 * lit + 0.1);
   float coverage = covered();
 #else
-  float thickness = texture(thicknessMap, 0.5 + 0.5 * slope / frame.otherSlopes.zw).r;
-  vec3 transmittance = exp(-frame.absorptionAndIndex.rgb * thickness);
-  vec3 inScatter = frame.scatterAndGloss.rgb * (1.0 - transmittance) * (0.6 + 0.4 * skyLight + 0.5 * lit);
+  float thickness = texture(thicknessMap, 0.5 + 0.5 * slope / liquid.slopes.xy).r;
+  vec3 transmittance = exp(-liquid.absorptionAndIndex.rgb * thickness);
+  vec3 inScatter = liquid.scatterAndGloss.rgb * (1.0 - transmittance) * (0.6 + 0.4 * skyLight + 0.5 * lit);
   vec3 body = refracted(P, sight, normal, thickness, origin) * transmittance + inScatter;
   // Liquid thins out towards its rim; the rim fades into what is behind it.
-  float coverage = smoothstep(0.0, 0.3 * frame.splat.z, thickness) * covered();
+  float coverage = smoothstep(0.0, 0.3 * liquid.splat.z, thickness) * covered();
 #endif
 
   vec3 radiance = mix(body, reflection, reflectance);
 #ifdef SPECULAR
   vec3 halfway = normalize(frame.sun.xyz - worldSight);
-  float gloss = frame.scatterAndGloss.w;
+  float gloss = liquid.scatterAndGloss.w;
   // (gloss + 8)/8π normalises Blinn's lobe.
   float highlight = (gloss + 8.0) * 0.0397887 * pow(max(dot(worldNormal, halfway), 0.0), gloss);
-  float towards = fresnel(clamp(dot(halfway, -worldSight), 0.0, 1.0), frame.absorptionAndIndex.w);
-  radiance += frame.colourAndSpecular.w * towards * highlight * lit * 3.0 * vec3(1.0, 0.94, 0.84);
+  float towards = fresnel(clamp(dot(halfway, -worldSight), 0.0, 1.0), liquid.absorptionAndIndex.w);
+  radiance += liquid.colourAndSpecular.w * towards * highlight * lit * 3.0 * vec3(1.0, 0.94, 0.84);
 #endif
-  colour = vec4(toneMap(radiance) * coverage, coverage);
+  colour = vec4(radiance * coverage, coverage);
 }

@@ -1,26 +1,22 @@
 // What every pass knows of the frame. Mirrors `FrameUniforms` in server/render/frame_uniforms.h; a test compares them.
 layout(std140, binding = 0) uniform FrameUniforms {
-  vec4 eyeAndNear;         // eye, m; near depth, m
+  vec4 eye;                // m
   vec4 rightAndSlope;      // axis x of view space; largest |W_x|
   vec4 downAndSlope;       // axis y; largest |W_y|
   vec4 forwardAndPixel;    // axis z; pixel slope C
   vec4 pictureSize;        // width, height; 1/width, 1/height
-  vec4 splat;              // radius R, m; radius of a drop of spray, m; spacing d, m; depth of flat rims, R, or 0
   vec4 floorAndHaze;       // height, m; tile, m; 1 with a floor, else 0; haze distance, m
   vec4 tileLight;
   vec4 tileDark;
   vec4 skyZenith;
   vec4 skyHorizon;
   vec4 sun;                // unit vector towards the sun
-  vec4 absorptionAndIndex; // 1/m; refractive index n
-  vec4 scatterAndGloss;    // colour; exponent of the highlight
-  vec4 colourAndSpecular;  // diffuse colour; strength of the highlight
   vec4 shadow;             // strength; least x and z of the shadow map, m; its edge, m
-  vec4 otherSlopes;        // largest |W_x|, |W_y| of the picture; of the thickness
+  vec4 pictureSlopes;      // largest |W_x|, |W_y| of the picture
 } frame;
 
 vec3 toView(vec3 world) {
-  vec3 p = world - frame.eyeAndNear.xyz;
+  vec3 p = world - frame.eye.xyz;
   return vec3(dot(p, frame.rightAndSlope.xyz), dot(p, frame.downAndSlope.xyz), dot(p, frame.forwardAndPixel.xyz));
 }
 

@@ -1,12 +1,12 @@
 // One direction in which the liquid's thickness evens out; thickness_smoothing.h describes it, and is the same on the
 // CPU.
 #include "frame_uniforms.glsl"
+#include "liquid_uniforms.glsl"
 #include "surface.glsl"
 
 layout(binding = 1) uniform sampler2D thicknessMap;
 layout(location = 0) uniform vec2 direction;      // one pixel of the thickness along x or y, in texture coordinates
 layout(location = 1) uniform float scale;         // ρ at inverse depth 1, pixels of the thickness
-layout(location = 2) uniform vec2 surfaceSlopes;  // largest |W_x|, |W_y| of the surface
 
 in vec2 uv;
 out float smoothed;
@@ -19,9 +19,9 @@ void main() {
   float own = texture(thicknessMap, uv).r;
   smoothed = 0.0;
   if (own <= 0.0) return;
-  vec2 W = (2.0 * uv - 1.0) * frame.otherSlopes.zw;
+  vec2 W = (2.0 * uv - 1.0) * liquid.slopes.xy;
   // At the rim, where a pixel's middle may have no surface, there is no depth to go by.
-  float reach = min(scale * inverseDepthAt(0.5 + 0.5 * W / surfaceSlopes), kLargestReach);
+  float reach = min(scale * inverseDepthAt(0.5 + 0.5 * W / liquid.slopes.zw), kLargestReach);
   float inverseSquare = reach > 0.0 ? 1.0 / (reach * reach) : 1e6;
   float sum = 0.0;
   float weights = 1.0;

@@ -1,11 +1,12 @@
 // A drop of spray: a small round cloud of droplets, which scatter the light of sky and sun, dense in its middle.
 #include "frame_uniforms.glsl"
+#include "liquid_uniforms.glsl"
 #include "splat_shape.glsl"
 #include "surface.glsl"
 #include "sky.glsl"
-#include "tone.glsl"
-
-layout(location = 1) uniform vec2 surfaceSlopes;  // largest |W_x|, |W_y| of the surface
+#ifdef LAYERED
+#include "layers.glsl"
+#endif
 
 flat in Shape shape;
 out vec4 colour;
@@ -17,12 +18,18 @@ void main() {
   // 1 − ρ², with ρ from 0 in the middle to 1 at the rim; its square, and the slope of that, end smoothly there.
   float inside = clamp(crossing.squaredHalf / (crossing.a * radius * radius), 0.0, 1.0);
   // A drop that had to be widened to a pixel is as much thinner.
-  float widening = frame.splat.y / radius;
+  float widening = liquid.splat.y / radius;
   float coverage = 0.85 * inside * inside * widening * widening;
 
-#ifdef LIQUID
+#if defined(LIQUID) || defined(LAYERED)
   // Sinks into the liquid over its own radius, without an edge.
-  float q = inverseDepthAt(0.5 + 0.5 * W / surfaceSlopes);
+  float q = 0.0;
+#ifdef LIQUID
+  q = inverseDepthAt(0.5 + 0.5 * W / liquid.slopes.zw);
+#endif
+#ifdef LAYERED
+  q = max(q, nearestOther(W));
+#endif
   float front = (crossing.middle - sqrt(max(crossing.squaredHalf, 0.0))) / crossing.a;
   coverage *= q > 0.0 ? clamp((1.0 / q - front) / radius, 0.0, 1.0) : 1.0;
 #endif
@@ -34,5 +41,5 @@ void main() {
   float lit = 0.7 + 0.3 * dot(normal, frame.sun.xyz);
   vec3 sunlight = vec3(1.0, 0.94, 0.84);
   vec3 radiance = 0.9 * mix(frame.skyHorizon.rgb, skyRadiance(vec3(0.0, 1.0, 0.0)), 0.3) + 0.45 * lit * sunlight;
-  colour = vec4(toneMap(radiance) * coverage, coverage);
+  colour = vec4(radiance * coverage, coverage);
 }

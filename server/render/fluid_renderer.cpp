@@ -1,14 +1,15 @@
 #include "sluice/render/fluid_renderer.h"
 
-#include <google/protobuf/util/message_differencer.h>
-
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
 
 #include "data_traits.h"
-#include "frame_context.h"
-#include "passes.h"
+#include "frame_passes.h"
+#include "liquid_state.h"
+#include "liquid_uniforms.h"
+#include "same.h"
 #include "sluice/core/check.h"
 #include "sluice/core/input_error.h"
 #include "sluice/gl/pass_clock.h"
@@ -17,11 +18,6 @@
 namespace sluice::render {
 
 namespace {
-
-template <class Message>
-bool same(const Message& a, const Message& b) {
-  return google::protobuf::util::MessageDifferencer::Equals(a, b);
-}
 
 /// What of a scene shows in a picture, besides its particles.
 v1::Scene withoutSource(const v1::Scene& scene) {
@@ -52,49 +48,26 @@ class FluidRenderer::Impl {
   core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
                      core::ImageSize size) {
     checkSize(size);
-    const v1::Look& look = scene.look();
     const ViewGeometry view = makeViewGeometry(camera, size);
-    const ViewGeometry surfaceView = divided(view, look.smoothing().divisor());
-    const ViewGeometry thicknessView = divided(view, look.thickness().divisor());
-    const SplatScale scale = splatScale(look.splats(), particles.spacing);
-
     clock_.start();
-    if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, size);
+    if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, view);
+
     noteParticles(particles);
-    modelSplats(particles, look.splats());
-    const SplatSelection selection = selectSplats(particles.positions, model_, view,
-                                                  {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels_});
+    std::vector<DataTraits> traits;
+    for (std::size_t k = 0; k < liquids_.size(); ++k) traits.push_back(select(*liquids_[k], lookOf(scene, k), view));
     clock_.lap(name(Pass::SelectSplats));
-    const FramePlan plan =
-        planFrame(scene, size, dataTraits(particles, selection, scale, view), reuse(scene, camera, size), device_);
+    const FramePlan plan = planFrame(scene, size, traits, reuse(scene, camera, size), device_);
     plan_ = plan.describe();
     targets_.fit(plan);
 
     setUpGl();
-    uploadSplats(plan, particles, selection, view, scale);
+    for (std::size_t k = 0; k < liquids_.size(); ++k) uploadSplats(plan, k, view);
     castShadowIfNeeded(plan, particles, scene);
-    upload(pictureUniforms_, makeFrameUniforms(view, view, thicknessView, scale, plan, scene));
-    upload(surfaceUniforms_, makeFrameUniforms(surfaceView, view, thicknessView, scale, plan, scene));
+    uploadUniforms(plan, scene, view);
     clock_.lap("upload");
-
-    const FrameContext frame{plan,
-                             view,
-                             surfaceView,
-                             thicknessView,
-                             scale,
-                             scene,
-                             look,
-                             model_.shape,
-                             selection,
-                             targets_,
-                             splats_,
-                             raster_,
-                             pictureUniforms_.name(),
-                             surfaceUniforms_.name()};
     for (const PassStep& step : plan.steps) {
       if (step.pass == Pass::SelectSplats) continue;  // ran above: the plan depends on it
-      glBindVertexArray(emptyArray_.name());
-      run(step.pass, frame);
+      run(step.pass, contextOf(step, plan, scene, view));
       clock_.lap(step.name);
     }
     sceneOf_ = withoutSource(scene);
@@ -102,63 +75,53 @@ class FluidRenderer::Impl {
     spacingOf_ = particles.spacing;
     hasBackground_ = true;
     hasPicture_ = true;
-    pictureIs_ = plan.buffer(Resource::Picture) != nullptr ? Resource::Picture : Resource::Background;
     return finish(particles, size);
   }
 
   FloatPicture smooth(const FloatPicture& surface, const v1::Look& given, double spacing, const core::Camera& camera) {
     checkSize(surface.size);
     v1::Scene scene;
-    v1::Look& look = *scene.mutable_look();
-    look = given;
-    look.mutable_smoothing()->set_divisor(1);
+    *scene.mutable_look() = given;
+    scene.mutable_look()->mutable_smoothing()->set_divisor(1);
     const ViewGeometry view = makeViewGeometry(camera, surface.size);
-    const SplatScale scale = splatScale(look.splats(), spacing);
     DataTraits traits;
     traits.spacing = spacing;
     traits.points = 1;
     traits.pixelSlope = view.pixelSlope;
     const float largest = std::ranges::max(surface.values);
     traits.nearestDepth = largest > 0.0F ? 1.0F / largest : 1.0F;
-    const FramePlan plan = planFrame(scene, surface.size, traits, {}, device_);
+    const FramePlan plan = planFrame(scene, surface.size, std::array{traits}, {}, device_);
     hasBackground_ = hasPicture_ = false;
     targets_.fit(plan);
     setUpGl();
-    upload(pictureUniforms_, makeFrameUniforms(view, view, view, scale, plan, scene));
-    std::ranges::copy(surface.values, targets_.startAnew(Resource::Surface).begin());
-    const FrameContext frame{plan,
-                             view,
-                             view,
-                             view,
-                             scale,
-                             scene,
-                             look,
-                             SplatShape::Sphere,
-                             {},
-                             targets_,
-                             splats_,
-                             raster_,
-                             pictureUniforms_.name(),
-                             pictureUniforms_.name()};
-    for (const Pass pass : {Pass::Mask, Pass::Smoothing}) {
-      glBindVertexArray(emptyArray_.name());
-      if (plan.runs(pass)) run(pass, frame);
+    if (liquids_.empty()) liquids_.push_back(std::make_unique<LiquidState>());
+    aim(*liquids_[0], scene.look(), view, spacing);
+    uploadUniforms(plan, scene, view);
+    std::ranges::copy(surface.values, targets_.startAnew({Resource::Surface}).begin());
+    for (const PassStep& step : plan.steps) {
+      if (step.pass != Pass::Mask && step.pass != Pass::Smoothing) continue;
+      run(step.pass, contextOf(step, plan, scene, view));
     }
-    return readBuffer(Resource::Surface);
+    return readBuffer(Resource::Surface, 0);
   }
 
   const core::Plan& plan() const { return plan_; }
 
-  void show(View view) {
-    composite_.show(view);
-    spray_.show(view);
-    hasPicture_ = false;
+  FloatPicture readBuffer(Resource resource, std::size_t liquid) {
+    const BufferId id{resource, static_cast<std::uint8_t>(isOfLiquid(resource) ? liquid : 0)};
+    if (!targets_.has(id)) return {};
+    const std::span<const float> values = targets_.read(id);
+    return {targets_.size(id), {values.begin(), values.end()}};
   }
 
-  FloatPicture readBuffer(Resource resource) {
-    if (!targets_.has(resource)) return {};
-    const std::span<const float> values = targets_.read(resource);
-    return {targets_.size(resource), {values.begin(), values.end()}};
+  RadiancePicture readRadiance() {
+    const BufferId id{targets_.has({Resource::Picture}) ? Resource::Picture : Resource::Background};
+    RadiancePicture picture{targets_.size(id), {}};
+    picture.values.resize(4 * static_cast<std::size_t>(picture.size.width) *
+                          static_cast<std::size_t>(picture.size.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_.framebuffer(id));
+    glReadPixels(0, 0, picture.size.width, picture.size.height, GL_RGBA, GL_FLOAT, picture.values.data());
+    return picture;
   }
 
  private:
@@ -170,84 +133,105 @@ class FluidRenderer::Impl {
     }
   }
 
+  // --------------------------------------------------------------------------------------------- what can be kept
+
   bool isLastPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
                      core::ImageSize size) const {
     return hasPicture_ && particles.sequence != 0 && particles.sequence == sequence_ &&
-           particles.spacing == spacingOf_ && cameraOf_ == camera && targets_.size(Resource::Background) == size &&
+           particles.spacing == spacingOf_ && cameraOf_ == camera && targets_.size({Resource::Background}) == size &&
            same(sceneOf_, withoutSource(scene));
-  }
-
-  /// The last frame's picture is still there.
-  core::Frame keepPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, core::ImageSize size) {
-    plan_ = planFrame(scene, size, {}, {.background = true, .picture = true}, device_).describe();
-    return finish(particles, size);
-  }
-
-  core::Frame finish(const core::ParticleSnapshot& particles, core::ImageSize size) {
-    core::Frame picture = readBack(size);
-    clock_.lap("read back");
-    for (const core::StageTime& stage : clock_.finish()) {
-      core::addStageTime(picture.tag.stages, stage.name, stage.milliseconds);
-    }
-    picture.tag.snapshotSequence = particles.sequence;
-    picture.tag.simulationTime = particles.time;
-    return picture;
-  }
-
-  void noteParticles(const core::ParticleSnapshot& particles) {
-    // Sequence numbers never repeat; 0 is a snapshot that has not got one.
-    newParticles_ = particles.sequence == 0 || particles.sequence != sequence_;
-    sequence_ = particles.sequence;
-  }
-
-  void modelSplats(const core::ParticleSnapshot& particles, const v1::Splats& splats) {
-    if (!newParticles_ && same(splatsOfModel_, splats)) return;
-    model_ = makeSplatModel(particles, splats, model_);
-    splatsOfModel_ = splats;
-    clock_.lap("model splats");
-  }
-
-  void uploadSplats(const FramePlan& plan, const core::ParticleSnapshot& particles, const SplatSelection& selection,
-                    const ViewGeometry& view, const SplatScale& scale) {
-    const auto sphere = [&](std::uint32_t index, float radius) {
-      const Eigen::Vector3f centre = view.toView(particles.positions[index]);
-      return ViewSphere{centre.x(), centre.y(), centre.z(), radius};
-    };
-    const bool ellipsoids = model_.shape == SplatShape::Ellipsoid;
-    const auto uploadPoints = [&](SplatArray& array, const SplatList& list) {
-      ellipsoids ? array.upload(list.ellipsoids) : array.upload(list.spheres);
-    };
-    if (!device_.software && plan.runs(Pass::Splats)) uploadPoints(splats_.visible, selection.visible);
-    if (!device_.software && plan.runs(Pass::Thickness)) uploadPoints(splats_.points, selection.points);
-    if (plan.runs(Pass::LargeSplats) && ellipsoids) {
-      std::vector<ViewEllipsoid> large;
-      for (const std::uint32_t index : selection.large) large.push_back(toView(model_.ellipsoids[index], view));
-      splats_.large.upload(large);
-    } else if (plan.runs(Pass::LargeSplats)) {
-      std::vector<ViewSphere> large;
-      for (const std::uint32_t index : selection.large) {
-        large.push_back(sphere(index, model_.radius(index, scale.radius)));
-      }
-      splats_.large.upload(large);
-    }
-    if (plan.runs(Pass::Spray)) {
-      std::vector<ViewSphere> drops;
-      for (const std::uint32_t index : selection.spray) drops.push_back(sphere(index, scale.dropRadius));
-      // The farthest first: each is drawn over those behind it.
-      std::ranges::stable_sort(drops, std::greater{}, &ViewSphere::z);
-      splats_.spray.upload(drops);
-    }
-  }
-
-  ReuseTraits reuse(const v1::Scene& scene, const core::Camera& camera, core::ImageSize size) const {
-    return {hasBackground_ && targets_.size(Resource::Background) == size && cameraOf_ == camera &&
-            sameSurroundings(scene)};
   }
 
   bool sameSurroundings(const v1::Scene& scene) const {
     return same(sceneOf_.background(), scene.background()) && same(sceneOf_.lighting(), scene.lighting()) &&
            std::ranges::equal(sceneOf_.bodies(), scene.bodies(), same<v1::Body>);
   }
+
+  ReuseTraits reuse(const v1::Scene& scene, const core::Camera& camera, core::ImageSize size) const {
+    return {hasBackground_ && targets_.size({Resource::Background}) == size && cameraOf_ == camera &&
+            sameSurroundings(scene)};
+  }
+
+  /// The last frame's picture is still there.
+  core::Frame keepPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, const ViewGeometry& view) {
+    const FramePlan plan = planFrame(scene, view.size, {}, {.background = true, .picture = true}, device_);
+    plan_ = plan.describe();
+    for (const PassStep& step : plan.steps) {
+      run(step.pass, contextOf(step, plan, scene, view));
+      clock_.lap(step.name);
+    }
+    return finish(particles, view.size);
+  }
+
+  void noteParticles(const core::ParticleSnapshot& particles) {
+    // Sequence numbers never repeat; 0 is a snapshot that has not got one.
+    newParticles_ = particles.sequence == 0 || particles.sequence != sequence_ || liquids_.empty();
+    sequence_ = particles.sequence;
+    if (!newParticles_ && liquids_.size() > 1) return;
+    const auto parts = splitByFluid(particles);
+    liquids_.resize(parts.size());
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (liquids_[k] == nullptr) liquids_[k] = std::make_unique<LiquidState>();
+      liquids_[k]->particles = parts[k];
+    }
+  }
+
+  // ------------------------------------------------------------------------------------------------ one liquid's part
+
+  void aim(LiquidState& liquid, const v1::Look& look, const ViewGeometry& view, double spacing) {
+    liquid.surfaceView = divided(view, look.smoothing().divisor());
+    liquid.thicknessView = divided(view, look.thickness().divisor());
+    liquid.scale = splatScale(look.splats(), spacing);
+  }
+
+  DataTraits select(LiquidState& liquid, const v1::Look& look, const ViewGeometry& view) {
+    const core::ParticleSnapshot& particles = *liquid.particles;
+    aim(liquid, look, view, particles.spacing);
+    if (newParticles_ || !same(liquid.splatsOfModel, look.splats())) {
+      liquid.model = makeSplatModel(particles, look.splats(), liquid.model);
+      liquid.splatsOfModel = look.splats();
+      clock_.lap("model splats");
+    }
+    const SplatScale& scale = liquid.scale;
+    liquid.selection = selectSplats(particles.positions, liquid.model, view,
+                                    {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels_});
+    return dataTraits(particles, liquid.selection, scale, view);
+  }
+
+  void uploadSplats(const FramePlan& plan, std::size_t k, const ViewGeometry& view) {
+    LiquidState& liquid = *liquids_[k];
+    const SplatSelection& selection = liquid.selection;
+    const auto sphere = [&](std::uint32_t index, float radius) {
+      const Eigen::Vector3f centre = view.toView(liquid.particles->positions[index]);
+      return ViewSphere{centre.x(), centre.y(), centre.z(), radius};
+    };
+    const bool ellipsoids = liquid.model.shape == SplatShape::Ellipsoid;
+    const auto uploadPoints = [&](SplatArray& array, const SplatList& list) {
+      ellipsoids ? array.upload(list.ellipsoids) : array.upload(list.spheres);
+    };
+    if (!device_.software && plan.runs(Pass::Splats, k)) uploadPoints(liquid.splats.visible, selection.visible);
+    if (!device_.software && plan.runs(Pass::Thickness, k)) uploadPoints(liquid.splats.points, selection.points);
+    if (plan.runs(Pass::LargeSplats, k) && ellipsoids) {
+      std::vector<ViewEllipsoid> large;
+      for (const std::uint32_t index : selection.large) large.push_back(toView(liquid.model.ellipsoids[index], view));
+      liquid.splats.large.upload(large);
+    } else if (plan.runs(Pass::LargeSplats, k)) {
+      std::vector<ViewSphere> large;
+      for (const std::uint32_t index : selection.large) {
+        large.push_back(sphere(index, liquid.model.radius(index, liquid.scale.radius)));
+      }
+      liquid.splats.large.upload(large);
+    }
+    if (plan.runs(Pass::Spray, k)) {
+      std::vector<ViewSphere> drops;
+      for (const std::uint32_t index : selection.spray) drops.push_back(sphere(index, liquid.scale.dropRadius));
+      // The farthest first: each is drawn over those behind it.
+      std::ranges::stable_sort(drops, std::greater{}, &ViewSphere::z);
+      liquid.splats.spray.upload(drops);
+    }
+  }
+
+  // ------------------------------------------------------------------------------------------------------- the frame
 
   void setUpGl() {
     glEnable(GL_PROGRAM_POINT_SIZE);
@@ -259,72 +243,81 @@ class FluidRenderer::Impl {
   }
 
   void castShadowIfNeeded(const FramePlan& plan, const core::ParticleSnapshot& particles, const v1::Scene& scene) {
-    newShadow_ = false;
-    if (!plan.runs(Pass::GroundShadow)) return;
-    // Of these particles, and not of some that came while no shadow was in the picture.
-    if (!newParticles_ && shadowSequence_ == sequence_ && sameSurroundings(scene)) return;
-    shadow_ = castShadow(particles.positions, static_cast<float>(particles.spacing),
-                         static_cast<float>(scene.background().floor_height()), sunDirection(scene.lighting().sun()));
-    newShadow_ = true;
-    shadowSequence_ = sequence_;
+    bool isNew = false;
+    if (plan.runs(Pass::GroundShadow)) {
+      // Of these particles, and not of some that came while no shadow was in the picture.
+      if (newParticles_ || shadowSequence_ != sequence_ || !sameSurroundings(scene)) {
+        shadow_ =
+            castShadow(particles.positions, static_cast<float>(particles.spacing),
+                       static_cast<float>(scene.background().floor_height()), sunDirection(scene.lighting().sun()));
+        isNew = true;
+        shadowSequence_ = sequence_;
+      }
+    }
+    passes_.setShadow(shadow_, isNew);
   }
 
-  void upload(gl::StreamBuffer& buffer, FrameUniforms uniforms) const {
-    uniforms.shadow[1] = shadow_.corner.x();
-    uniforms.shadow[2] = shadow_.corner.y();
-    uniforms.shadow[3] = shadow_.edge;
-    buffer.upload(std::as_bytes(std::span(&uniforms, 1)));
-  }
-
-  void run(Pass pass, const FrameContext& frame) {
-    switch (pass) {
-      case Pass::Background:
-        background_.run(frame);
-        break;
-      case Pass::GroundShadow:
-        groundShadow_.run(frame, shadow_, newShadow_);
-        break;
-      case Pass::Splats:
-        splatsPass_.runPoints(frame);
-        break;
-      case Pass::LargeSplats:
-        splatsPass_.runLarge(frame);
-        break;
-      case Pass::Mask:
-        mask_.run(frame);
-        break;
-      case Pass::Smoothing:
-        smoothing_.run(frame);
-        break;
-      case Pass::Thickness:
-        thickness_.runPoints(frame);
-        break;
-      case Pass::LargeThickness:
-        thickness_.runLarge(frame);
-        break;
-      case Pass::SmoothThickness:
-        smoothThickness_.run(frame);
-        break;
-      case Pass::Composite:
-        composite_.run(frame);
-        break;
-      case Pass::BlendLiquid:
-        blendLiquid_.run(frame);
-        break;
-      case Pass::Spray:
-        spray_.run(frame);
-        break;
-      default:
-        break;
+  void uploadUniforms(const FramePlan& plan, const v1::Scene& scene, const ViewGeometry& view) {
+    const auto upload = [&](gl::StreamBuffer& buffer, const auto& uniforms) {
+      buffer.upload(std::as_bytes(std::span(&uniforms, 1)));
+    };
+    const auto frameUniforms = [&](const ViewGeometry& target) {
+      FrameUniforms uniforms = makeFrameUniforms(target, view, scene);
+      uniforms.shadow[1] = shadow_.corner.x();
+      uniforms.shadow[2] = shadow_.corner.y();
+      uniforms.shadow[3] = shadow_.edge;
+      return uniforms;
+    };
+    upload(pictureUniforms_, frameUniforms(view));
+    for (std::size_t k = 0; k < liquids_.size(); ++k) {
+      LiquidState& liquid = *liquids_[k];
+      upload(liquid.surfaceUniforms, frameUniforms(liquid.surfaceView));
+      upload(liquid.liquidUniforms, makeLiquidUniforms(liquid.surfaceView, liquid.thicknessView, liquid.scale,
+                                                       plan.surfaces[k], lookOf(scene, k)));
     }
   }
 
-  core::Frame readBack(core::ImageSize size) {
+  FrameContext contextOf(const PassStep& step, const FramePlan& plan, const v1::Scene& scene,
+                         const ViewGeometry& view) {
+    static const core::ParticleSnapshot kNoParticles;
+    LiquidState& liquid = *liquids_[step.liquid];
+    return {plan,
+            scene,
+            view,
+            pictureUniforms_.name(),
+            raster_,
+            LiquidTargets(targets_, step.liquid),
+            step.liquid,
+            step.layer,
+            liquid.particles ? *liquid.particles : kNoParticles,
+            lookOf(scene, step.liquid),
+            liquid.surfaceView,
+            liquid.thicknessView,
+            liquid.scale,
+            liquid.model.shape,
+            liquid.model,
+            liquid.selection,
+            liquid.splats,
+            liquid.surfaceUniforms.name(),
+            liquid.liquidUniforms.name()};
+  }
+
+  void run(Pass pass, const FrameContext& frame) {
+    glBindVertexArray(emptyArray_.name());
+    passes_.run(pass, frame);
+  }
+
+  core::Frame finish(const core::ParticleSnapshot& particles, core::ImageSize size) {
     core::Frame picture;
     picture.size = size;
-    picture.pixels.resize(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_.framebuffer(pictureIs_));
-    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.pixels.data());
+    picture.pixels = passes_.takePixels();
+    for (const core::StageTime& stage : clock_.finish()) {
+      core::addStageTime(picture.tag.stages, stage.name, stage.milliseconds);
+    }
+    picture.tag.snapshotSequence = particles.sequence;
+    picture.tag.simulationTime = particles.time;
+    // A snapshot that is not split is the caller's, and may be gone by the next frame.
+    if (liquids_.size() == 1) liquids_.front()->particles.reset();
     return picture;
   }
 
@@ -335,12 +328,9 @@ class FluidRenderer::Impl {
   GLint maxEdge_ = 0;
 
   FrameTargets targets_;
-  SplatModel model_;
-  v1::Splats splatsOfModel_;
-  SplatBuffers splats_;
+  std::vector<std::unique_ptr<LiquidState>> liquids_;
   SplatRaster raster_;
   gl::StreamBuffer pictureUniforms_;
-  gl::StreamBuffer surfaceUniforms_;
   core::Plan plan_;
 
   std::uint64_t sequence_ = 0;
@@ -350,21 +340,10 @@ class FluidRenderer::Impl {
   double spacingOf_ = 0;
   bool hasBackground_ = false;
   bool hasPicture_ = false;
-  Resource pictureIs_ = Resource::Picture;
   ShadowMap shadow_;
   std::uint64_t shadowSequence_ = 0;
-  bool newShadow_ = false;
 
-  BackgroundPass background_;
-  GroundShadowPass groundShadow_;
-  SplatsPass splatsPass_;
-  MaskPass mask_;
-  SmoothingPass smoothing_;
-  ThicknessPass thickness_;
-  SmoothThicknessPass smoothThickness_;
-  CompositePass composite_;
-  BlendLiquidPass blendLiquid_;
-  SprayPass spray_;
+  FramePasses passes_;
 };
 
 FluidRenderer::FluidRenderer(gl::Context& context) : FluidRenderer(context, {.software = context.isSoftware()}) {}
@@ -377,9 +356,11 @@ core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const
   return impl_->render(particles, scene, camera, size);
 }
 
-void FluidRenderer::show(View view) { impl_->show(view); }
+FloatPicture FluidRenderer::readBuffer(Resource resource, std::size_t liquid) {
+  return impl_->readBuffer(resource, liquid);
+}
 
-FloatPicture FluidRenderer::readBuffer(Resource resource) { return impl_->readBuffer(resource); }
+RadiancePicture FluidRenderer::readRadiance() { return impl_->readRadiance(); }
 
 FloatPicture FluidRenderer::smooth(const FloatPicture& surface, const v1::Look& look, double spacing,
                                    const core::Camera& camera) {

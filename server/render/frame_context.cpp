@@ -19,6 +19,7 @@ void beginTarget(const FrameContext& frame, Resource resource) {
   glViewport(0, 0, size.width, size.height);
   const bool coarse = isSurface(resource) || resource == Resource::Liquid;
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, coarse ? frame.surfaceUniforms : frame.pictureUniforms);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 1, frame.liquidUniforms);
   glDisable(GL_BLEND);
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_CLIP_DISTANCE0);

@@ -2,6 +2,7 @@
 
 #include "frame_targets.h"
 #include "frame_uniforms.h"
+#include "liquid_state.h"
 #include "sluice/gl/objects.h"
 #include "sluice/gl/shader_library.h"
 #include "sluice/render/frame_plan.h"
@@ -15,19 +16,28 @@ namespace sluice::render {
 /// What a pass may use of the frame that it draws.
 struct FrameContext {
   const FramePlan& plan;
-  const ViewGeometry& view;           ///< Of the picture.
+  const v1::Scene& scene;
+  const ViewGeometry& view;  ///< Of the picture.
+  GLuint pictureUniforms;    ///< The frame's uniforms of passes that draw into the picture.
+  SplatRaster& raster;
+  LiquidTargets targets;
+
+  // Of the liquid at hand:
+  std::uint8_t liquid;
+  std::uint8_t layer;  ///< See PassStep::layer.
+  const core::ParticleSnapshot& particles;
+  const v1::Look& look;
   const ViewGeometry& surfaceView;    ///< Of the surface, which may be coarser.
   const ViewGeometry& thicknessView;  ///< Of the thickness, likewise.
   const SplatScale& scale;
-  const v1::Scene& scene;
-  const v1::Look& look;  ///< Of the liquid at hand.
   SplatShape shape;
+  const SplatModel& model;
   const SplatSelection& selection;
-  FrameTargets& targets;
   SplatBuffers& splats;
-  SplatRaster& raster;
-  GLuint pictureUniforms;  ///< The uniforms of passes that draw into the picture.
-  GLuint surfaceUniforms;  ///< Those of passes that draw into the surface, or the liquid.
+  GLuint surfaceUniforms;  ///< The frame's uniforms of passes that draw into the surface, or the shaded liquid.
+  GLuint liquidUniforms;
+
+  const SurfacePlan& surface() const { return plan.surfaces[liquid]; }
 };
 
 /// Where shader programs come from. Fits every pass's constructor.

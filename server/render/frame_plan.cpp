@@ -1,11 +1,8 @@
 #include "sluice/render/frame_plan.h"
 
 #include <algorithm>
-#include <iterator>
-#include <span>
 
-#include "interior_particles.h"
-#include "smoothing/smoothing_method.h"
+#include "planner.h"
 
 namespace sluice::render {
 
@@ -31,12 +28,18 @@ std::string_view name(Pass pass) {
       return "large thickness";
     case Pass::SmoothThickness:
       return "smooth thickness";
+    case Pass::BeginPicture:
+      return "begin picture";
+    case Pass::ExtendScene:
+      return "extend scene";
     case Pass::Composite:
       return "composite";
     case Pass::BlendLiquid:
       return "blend liquid";
     case Pass::Spray:
       return "spray";
+    case Pass::ToneMap:
+      return "tone map";
   }
   return "";
 }
@@ -73,6 +76,8 @@ std::string_view name(Resource resource) {
       return "liquid";
     case Resource::Picture:
       return "picture";
+    case Resource::Screen:
+      return "screen";
   }
   return "";
 }
@@ -81,7 +86,31 @@ bool isSurface(Resource resource) {
   return resource == Resource::Surface || std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
 }
 
-std::uint64_t bytesPerPixel(PixelFormat format) { return format == PixelFormat::Stencil8 ? 1 : 4; }
+bool isOfLiquid(Resource resource) {
+  switch (resource) {
+    case Resource::SplatList:
+    case Resource::Stencil:
+    case Resource::Thickness:
+    case Resource::ThicknessScratch:
+    case Resource::Liquid:
+      return true;
+    default:
+      return isSurface(resource);
+  }
+}
+
+std::uint64_t bytesPerPixel(PixelFormat format) {
+  switch (format) {
+    case PixelFormat::Rgba16f:
+      return 8;
+    case PixelFormat::Srgb8Alpha8:
+    case PixelFormat::R32f:
+      return 4;
+    case PixelFormat::Stencil8:
+      return 1;
+  }
+  return 0;
+}
 
 std::uint64_t PictureBuffer::bytes() const {
   if (sharedWith) return 0;
@@ -90,15 +119,33 @@ std::uint64_t PictureBuffer::bytes() const {
 
 bool FramePlan::runs(Pass pass) const { return std::ranges::find(steps, pass, &PassStep::pass) != steps.end(); }
 
-const PictureBuffer* FramePlan::buffer(Resource resource) const {
-  const auto found = std::ranges::find(buffers, resource, &PictureBuffer::resource);
+bool FramePlan::runs(Pass pass, std::size_t liquid) const {
+  return std::ranges::any_of(steps, [&](const PassStep& step) { return step.pass == pass && step.liquid == liquid; });
+}
+
+const PictureBuffer* FramePlan::buffer(BufferId id) const {
+  const auto found = std::ranges::find(buffers, id, &PictureBuffer::id);
   return found == buffers.end() ? nullptr : &*found;
 }
 
+const PictureBuffer* FramePlan::buffer(Resource resource, std::size_t liquid) const {
+  return buffer({resource, isOfLiquid(resource) ? static_cast<std::uint8_t>(liquid) : std::uint8_t{0}});
+}
+
+namespace {
+
+std::string describe(BufferId id) {
+  std::string text(name(id.resource));
+  if (id.liquid > 0) text += " of liquid " + std::to_string(id.liquid + 1);
+  return text;
+}
+
+}  // namespace
+
 core::Plan FramePlan::describe() const {
-  const auto names = [](const std::vector<Resource>& resources) {
+  const auto names = [](const std::vector<BufferId>& ids) {
     std::vector<std::string> texts;
-    for (const Resource resource : resources) texts.emplace_back(name(resource));
+    for (const BufferId& id : ids) texts.push_back(render::describe(id));
     return texts;
   };
   core::Plan plan;
@@ -106,8 +153,8 @@ core::Plan FramePlan::describe() const {
     plan.stages.push_back({step.name, names(step.reads), names(step.writes), step.sweeps});
   }
   for (const PictureBuffer& buffer : buffers) {
-    std::string label(name(buffer.resource));
-    if (buffer.sharedWith) label += " (in the memory of " + std::string(name(*buffer.sharedWith)) + ")";
+    std::string label = render::describe(buffer.id);
+    if (buffer.sharedWith) label += " (in the memory of " + render::describe(*buffer.sharedWith) + ")";
     plan.buffers.push_back({std::move(label), buffer.bytes()});
   }
   plan.leftOut = leftOut;
@@ -129,29 +176,28 @@ struct Lifetime {
   bool meets(const Lifetime& other) const { return first <= other.last && other.first <= last; }
 };
 
-Lifetime lifetimeOf(Resource resource, const std::vector<PassStep>& steps) {
+Lifetime lifetimeOf(BufferId id, const std::vector<PassStep>& steps) {
+  const Resource resource = id.resource;
   // Kept for the next frame, or given away after this one.
   if (resource == Resource::Background || resource == Resource::Stencil) return {0, steps.size()};
   Lifetime life{steps.size(), 0};
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const auto has = [&](const std::vector<Resource>& resources) {
-      return std::ranges::find(resources, resource) != resources.end();
-    };
+    const auto has = [&](const std::vector<BufferId>& ids) { return std::ranges::find(ids, id) != ids.end(); };
     if (!has(steps[i].reads) && !has(steps[i].writes)) continue;
     life.first = std::min(life.first, i);
     life.last = i;
   }
-  const bool isResult =
-      resource == Resource::Picture || resource == Resource::Surface || resource == Resource::Thickness;
+  const bool isResult = resource == Resource::Picture || resource == Resource::Screen ||
+                        resource == Resource::Surface || resource == Resource::Thickness;
   if (isResult) life.last = steps.size();
   return life;
 }
 
-/// Lets buffers that never hold anything at the same time use the same memory. A pixel of either format has four bytes.
+/// Lets buffers that never hold anything at the same time use the same memory.
 void shareMemory(FramePlan& plan) {
   std::vector<PictureBuffer>& buffers = plan.buffers;
   for (PictureBuffer& buffer : buffers) {
-    const Lifetime life = lifetimeOf(buffer.resource, plan.steps);
+    const Lifetime life = lifetimeOf(buffer.id, plan.steps);
     const auto fits = [&](const PictureBuffer& other) {
       if (&other == &buffer || other.sharedWith || other.size != buffer.size ||
           bytesPerPixel(other.format) != bytesPerPixel(buffer.format)) {
@@ -159,233 +205,28 @@ void shareMemory(FramePlan& plan) {
       }
       // Everything in that memory has to be out of the way.
       return std::ranges::none_of(buffers, [&](const PictureBuffer& tenant) {
-        const bool isThere = tenant.resource == other.resource || tenant.sharedWith == other.resource;
-        return isThere && lifetimeOf(tenant.resource, plan.steps).meets(life);
+        const bool isThere = tenant.id == other.id || tenant.sharedWith == other.id;
+        return isThere && lifetimeOf(tenant.id, plan.steps).meets(life);
       });
     };
     const bool isOwner =
-        std::ranges::any_of(buffers, [&](const PictureBuffer& other) { return other.sharedWith == buffer.resource; });
+        std::ranges::any_of(buffers, [&](const PictureBuffer& other) { return other.sharedWith == buffer.id; });
     if (isOwner) continue;
     const auto found = std::ranges::find_if(buffers, fits);
-    if (found != buffers.end()) buffer.sharedWith = found->resource;
+    if (found != buffers.end()) buffer.sharedWith = found->id;
   }
 }
 
-/// Builds a plan from the top down; one function per part of the frame.
-class Planner {
- public:
-  Planner(const v1::Scene& scene, core::ImageSize size, const DataTraits& traits, const ReuseTraits& reuse,
-          const DeviceTraits& device)
-      : look_(scene.look()),
-        background_(scene.background()),
-        sun_(scene.lighting().sun()),
-        size_(size),
-        surfaceSize_(dividedSize(size, scene.look().smoothing().divisor())),
-        traits_(traits),
-        reuse_(reuse) {
-    plan_.device = device;
-  }
-
-  FramePlan plan() {
-    if (reuse_.picture) {
-      allocate(Resource::Picture, PixelFormat::Srgb8Alpha8, size_);
-      leaveOut("every pass", "particles, camera and look are those of the last frame");
-      return std::move(plan_);
-    }
-    planBackground();
-    if (traits_.splats() == 0) {
-      leaveOut("liquid", "no particle is in the picture");
-      if (traits_.sprayDrops > 0) run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});
-    } else {
-      planSplats();
-      planSmoothing();
-      planThickness();
-      planComposite();
-    }
-    planSpray();
-    return std::move(plan_);
-  }
-
- private:
-  void run(Pass pass, std::vector<Resource> reads, std::vector<Resource> writes) {
-    run(pass, std::string(name(pass)), std::move(reads), std::move(writes));
-  }
-  void run(Pass pass, std::string name, std::vector<Resource> reads, std::vector<Resource> writes, int sweeps = 1) {
-    plan_.steps.push_back({pass, std::move(name), std::move(reads), std::move(writes), sweeps});
-  }
-  void leaveOut(Pass pass, std::string reason) { leaveOut(name(pass), std::move(reason)); }
-  void leaveOut(std::string_view what, std::string reason) {
-    plan_.leftOut.push_back({std::string(what), std::move(reason)});
-  }
-  void allocate(Resource resource, PixelFormat format, core::ImageSize size) {
-    plan_.buffers.push_back({resource, format, size});
-  }
-
-  void planBackground() {
-    allocate(Resource::Background, PixelFormat::Srgb8Alpha8, size_);
-    if (reuse_.background) {
-      leaveOut(Pass::Background, "camera, size and background are those of the last frame");
-    } else {
-      run(Pass::Background, {}, {Resource::Background});
-    }
-    if (traits_.splats() + traits_.sprayDrops == 0) return;
-    if (!background_.floor()) {
-      leaveOut(Pass::GroundShadow, "there is no floor");
-    } else if (sun_.shadow() <= 0) {
-      leaveOut(Pass::GroundShadow, "lighting.sun.shadow is 0");
-    } else {
-      hasShadow_ = true;
-      allocate(Resource::Scene, PixelFormat::Srgb8Alpha8, size_);
-      run(Pass::GroundShadow, {Resource::Particles, Resource::Background}, {Resource::ShadowMap, Resource::Scene});
-    }
-  }
-
-  void planSplats() {
-    const v1::Splats& splats = look_.splats();
-    if (splats.radius_by_density() && !traits_.densities) {
-      leaveOut("radius by density", "the source gives no densities");
-    }
-    if (!splats.skip_interior()) {
-      leaveOut("search for interior particles", "look.splats.skip_interior is off");
-    } else if (!traits_.neighbourCounts) {
-      // Densities do not tell: next to a wall they are as high as inside, and the liquid there is seen through it.
-      leaveOut("search for interior particles", "the source gives no numbers of neighbours");
-    } else if (splats.radius_in_spacings() < kLeastRadiusOfInterior) {
-      leaveOut("search for interior particles", "small splats leave gaps through which they are seen");
-    }
-    allocate(Resource::Surface, PixelFormat::R32f, surfaceSize_);
-    run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});
-    if (traits_.points > 0) run(Pass::Splats, {Resource::Particles, Resource::SplatList}, {Resource::Surface});
-    if (traits_.interiorPoints > 0) {
-      leaveOut("splats of " + std::to_string(traits_.interiorPoints) + " particles", "they are deep inside the liquid");
-    }
-    if (traits_.hiddenPoints > traits_.interiorPoints) {
-      leaveOut("splats of " + std::to_string(traits_.hiddenPoints - traits_.interiorPoints) + " particles",
-               "they lie wholly behind others");
-    }
-    if (traits_.largeSplats > 0) {
-      run(Pass::LargeSplats, {Resource::Particles, Resource::SplatList}, {Resource::Surface});
-    } else {
-      leaveOut(Pass::LargeSplats, "every splat is small enough to be a point");
-    }
-    allocate(Resource::Stencil, PixelFormat::Stencil8, surfaceSize_);
-  }
-
-  void planMask() { run(Pass::Mask, {Resource::Surface}, {Resource::Stencil}); }
-
-  void planSmoothing() {
-    const v1::Smoothing& smoothing = look_.smoothing();
-    if (smoothing.time() <= 0) {
-      leaveOut("smoothing", "look.smoothing.time is 0");
-      planMask();
-      return;
-    }
-    const SmoothingMethodEntry* const method = findSmoothingMethod(smoothing.method_case());
-    if (method == nullptr) {
-      leaveOut("smoothing", "no method is chosen");
-      planMask();
-      return;
-    }
-    SurfaceTraits surface;
-    surface.spacing = traits_.spacing;
-    surface.splatRadius = look_.splats().radius_in_spacings() * traits_.spacing;
-    surface.nearestDepth = traits_.nearestDepth;
-    surface.pixelSlope = traits_.pixelSlope * smoothing.divisor();
-    surface.size = surfaceSize_;
-    surface.device = plan_.device;
-    SmoothingPlan needs = method->plan(smoothing, surface);
-
-    std::vector<Resource> reads{Resource::Surface};
-    std::vector<Resource> writes{Resource::Surface};
-    if (needs.mask) {
-      planMask();
-      reads.push_back(Resource::Stencil);
-    }
-    for (const Resource scratch : std::span(kSurfaceScratch).first(needs.scratch)) {
-      allocate(scratch, PixelFormat::R32f, surfaceSize_);
-      writes.push_back(scratch);
-    }
-    plan_.flow = needs.flow;
-    plan_.flatRims = needs.flatRims;
-    std::ranges::move(needs.leftOut, std::back_inserter(plan_.leftOut));
-    run(Pass::Smoothing, smoothingName(smoothing.method_case()), std::move(reads), std::move(writes), needs.sweeps);
-    if (!needs.mask || needs.erodes) planMask();
-  }
-
-  void planThickness() {
-    if (look_.liquid().opaque()) {
-      leaveOut(Pass::Thickness, "the liquid is opaque");
-      leaveOut("refraction", "the liquid is opaque");
-      return;
-    }
-    allocate(Resource::Thickness, PixelFormat::R32f, dividedSize(size_, look_.thickness().divisor()));
-    if (traits_.points > 0) run(Pass::Thickness, {Resource::Particles, Resource::SplatList}, {Resource::Thickness});
-    if (traits_.largeSplats > 0) {
-      run(Pass::LargeThickness, {Resource::Particles, Resource::SplatList}, {Resource::Thickness});
-    }
-    if (look_.thickness().smoothing_in_spacings() > 0) {
-      std::vector<Resource> writes{Resource::Thickness};
-      if (!plan_.device.software) {
-        allocate(Resource::ThicknessScratch, PixelFormat::R32f, dividedSize(size_, look_.thickness().divisor()));
-        writes.push_back(Resource::ThicknessScratch);
-      }
-      run(Pass::SmoothThickness, {Resource::Thickness, Resource::Surface}, std::move(writes));
-    } else {
-      leaveOut(Pass::SmoothThickness, "look.thickness.smoothing_in_spacings is 0");
-    }
-  }
-
-  void planComposite() {
-    const Resource scene = hasShadow_ ? Resource::Scene : Resource::Background;
-    std::vector<Resource> reads{scene, Resource::Surface, Resource::Stencil};
-    if (!look_.liquid().opaque()) reads.push_back(Resource::Thickness);
-    if (look_.liquid().physical().specular() <= 0) leaveOut("specular highlight", "look.liquid.physical.specular is 0");
-    if (look_.smoothing().divisor() == 1) {
-      run(Pass::Composite, std::move(reads), {Resource::Picture});
-      leaveOut(Pass::BlendLiquid, "the liquid is as fine as the picture");
-    } else {
-      allocate(Resource::Liquid, PixelFormat::Srgb8Alpha8, surfaceSize_);
-      run(Pass::Composite, std::move(reads), {Resource::Liquid});
-      run(Pass::BlendLiquid, {scene, Resource::Liquid}, {Resource::Picture});
-    }
-    allocate(Resource::Picture, PixelFormat::Srgb8Alpha8, size_);
-  }
-
-  void planSpray() {
-    if (traits_.sprayDrops > 0) {
-      std::vector<Resource> reads{Resource::Particles, Resource::SplatList};
-      if (traits_.splats() > 0) {
-        reads.push_back(Resource::Surface);
-      } else {
-        reads.push_back(hasShadow_ ? Resource::Scene : Resource::Background);
-        allocate(Resource::Picture, PixelFormat::Srgb8Alpha8, size_);
-      }
-      run(Pass::Spray, std::move(reads), {Resource::Picture});
-    } else if (look_.splats().stray_density() <= 0) {
-      leaveOut(Pass::Spray, "look.splats.stray_density is 0");
-    } else if (!traits_.densities) {
-      leaveOut(Pass::Spray, "the source gives no densities");
-    } else {
-      leaveOut(Pass::Spray, "no particle in the picture is far from the rest");
-    }
-  }
-
-  const v1::Look& look_;
-  const v1::Background& background_;
-  const v1::Sun& sun_;
-  core::ImageSize size_;
-  core::ImageSize surfaceSize_;
-  const DataTraits& traits_;
-  const ReuseTraits& reuse_;
-  FramePlan plan_;
-  bool hasShadow_ = false;
-};
-
 }  // namespace
 
-FramePlan planFrame(const v1::Scene& scene, core::ImageSize size, const DataTraits& traits, const ReuseTraits& reuse,
-                    const DeviceTraits& device) {
-  FramePlan plan = Planner(scene, size, traits, reuse, device).plan();
+const v1::Look& lookOf(const v1::Scene& scene, std::size_t liquid) {
+  const auto further = static_cast<int>(liquid) - 1;
+  return further >= 0 && further < scene.more_looks_size() ? scene.more_looks(further) : scene.look();
+}
+
+FramePlan planFrame(const v1::Scene& scene, core::ImageSize size, std::span<const DataTraits> liquids,
+                    const ReuseTraits& reuse, const DeviceTraits& device) {
+  FramePlan plan = Planner(scene, size, liquids, reuse, device).plan();
   shareMemory(plan);
   return plan;
 }

@@ -11,6 +11,8 @@ namespace {
 
 GLenum internalFormat(PixelFormat format) {
   switch (format) {
+    case PixelFormat::Rgba16f:
+      return GL_RGBA16F;
     case PixelFormat::Srgb8Alpha8:
       return GL_SRGB8_ALPHA8;
     case PixelFormat::R32f:
@@ -41,19 +43,22 @@ void FrameTargets::fit(const FramePlan& plan) {
     const PictureBuffer* needed = plan.buffer(entry.first);
     return needed == nullptr || *needed != entry.second.buffer;
   });
-  const PictureBuffer* stencil = plan.buffer(Resource::Stencil);
-  stencil_ =
-      stencil == nullptr ? gl::Renderbuffer{} : gl::makeRenderbuffer(internalFormat(stencil->format), stencil->size);
+  stencils_.clear();
+  stencils_.resize(plan.surfaces.size());
+  for (std::size_t k = 0; k < stencils_.size(); ++k) {
+    const PictureBuffer* stencil = plan.buffer(Resource::Stencil, k);
+    if (stencil != nullptr) stencils_[k] = gl::makeRenderbuffer(internalFormat(stencil->format), stencil->size);
+  }
   // Owners of memory before those who use it.
   for (const bool shared : {false, true}) {
     for (const PictureBuffer& buffer : plan.buffers) {
-      if (buffer.resource != Resource::Stencil && buffer.sharedWith.has_value() == shared) make(buffer, stencil);
+      if (buffer.id.resource != Resource::Stencil && buffer.sharedWith.has_value() == shared) make(buffer, plan);
     }
   }
 }
 
-void FrameTargets::make(const PictureBuffer& buffer, const PictureBuffer* stencil) {
-  auto [entry, isNew] = targets_.try_emplace(buffer.resource);
+void FrameTargets::make(const PictureBuffer& buffer, const FramePlan& plan) {
+  auto [entry, isNew] = targets_.try_emplace(buffer.id);
   Target& target = entry->second;
   if (isNew || buffer.sharedWith) {
     const GLenum format = internalFormat(buffer.format);
@@ -61,20 +66,31 @@ void FrameTargets::make(const PictureBuffer& buffer, const PictureBuffer* stenci
     target.texture = buffer.sharedWith ? gl::makeTextureView(targets_.at(*buffer.sharedWith).texture, format)
                                        : gl::makeTexture(format, buffer.size);
     target.newest = Newest::Device;
-    if (isInterpolated(buffer.resource)) gl::setBilinear(target.texture);
+    if (isInterpolated(buffer.id.resource)) gl::setBilinear(target.texture);
   }
-  const bool masked = stencil != nullptr && stencil->size == buffer.size && usesStencil(buffer.resource);
-  target.framebuffer = masked ? gl::makeFramebuffer(target.texture, stencil_) : gl::makeFramebuffer(target.texture);
+  const auto withStencilOf = [&](std::size_t liquid) {
+    const PictureBuffer* stencil = plan.buffer(Resource::Stencil, liquid);
+    const bool masked = stencil != nullptr && stencil->size == buffer.size && usesStencil(buffer.id.resource);
+    return masked ? gl::makeFramebuffer(target.texture, stencils_[liquid]) : gl::makeFramebuffer(target.texture);
+  };
+  target.framebuffers.clear();
+  if (isOfLiquid(buffer.id.resource)) {
+    target.framebuffers.push_back(withStencilOf(buffer.id.liquid));
+  } else {
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, stencils_.size()); ++k) {
+      target.framebuffers.push_back(withStencilOf(k));
+    }
+  }
 }
 
-FrameTargets::Target& FrameTargets::target(Resource resource) {
-  const auto found = targets_.find(resource);
+FrameTargets::Target& FrameTargets::target(BufferId id) {
+  const auto found = targets_.find(id);
   SLUICE_CHECK(found != targets_.end());
   return found->second;
 }
 
-core::ImageSize FrameTargets::size(Resource resource) const {
-  const auto found = targets_.find(resource);
+core::ImageSize FrameTargets::size(BufferId id) const {
+  const auto found = targets_.find(id);
   SLUICE_CHECK(found != targets_.end());
   return found->second.buffer.size;
 }
@@ -91,46 +107,46 @@ void FrameTargets::toMemory(Target& target) {
   const core::ImageSize size = target.buffer.size;
   target.memory.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
   if (target.newest != Newest::Device) return;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer.name());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer(0));
   glReadPixels(0, 0, size.width, size.height, GL_RED, GL_FLOAT, target.memory.data());
   target.newest = Newest::Both;
 }
 
-const gl::Texture& FrameTargets::texture(Resource resource) {
-  Target& found = target(resource);
+const gl::Texture& FrameTargets::texture(BufferId id) {
+  Target& found = target(id);
   toDevice(found);
   return found.texture;
 }
 
-GLuint FrameTargets::framebuffer(Resource resource) {
-  Target& found = target(resource);
+GLuint FrameTargets::framebuffer(BufferId id, std::uint8_t liquid) {
+  Target& found = target(id);
   toDevice(found);
   found.newest = Newest::Device;
-  return found.framebuffer.name();
+  return found.framebuffer(liquid);
 }
 
-void FrameTargets::clear(Resource resource) {
+void FrameTargets::clear(BufferId id) {
   constexpr std::array<GLfloat, 4> kNothing{};
-  Target& found = target(resource);
+  Target& found = target(id);
   found.newest = Newest::Device;
-  glClearNamedFramebufferfv(found.framebuffer.name(), GL_COLOR, 0, kNothing.data());
+  glClearNamedFramebufferfv(found.framebuffer(0), GL_COLOR, 0, kNothing.data());
 }
 
-std::span<const float> FrameTargets::read(Resource resource) {
-  Target& found = target(resource);
+std::span<const float> FrameTargets::read(BufferId id) {
+  Target& found = target(id);
   toMemory(found);
   return found.memory;
 }
 
-std::span<float> FrameTargets::change(Resource resource) {
-  Target& found = target(resource);
+std::span<float> FrameTargets::change(BufferId id) {
+  Target& found = target(id);
   toMemory(found);
   found.newest = Newest::Memory;
   return found.memory;
 }
 
-std::span<float> FrameTargets::startAnew(Resource resource) {
-  Target& found = target(resource);
+std::span<float> FrameTargets::startAnew(BufferId id) {
+  Target& found = target(id);
   SLUICE_CHECK(found.buffer.format == PixelFormat::R32f);
   const core::ImageSize size = found.buffer.size;
   found.memory.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), 0.0F);
@@ -138,9 +154,9 @@ std::span<float> FrameTargets::startAnew(Resource resource) {
   return found.memory;
 }
 
-void FrameTargets::clearStencil() {
+void FrameTargets::clearStencil(std::uint8_t liquid) {
   constexpr GLint kNoLiquid = 0;
-  glClearNamedFramebufferiv(target(Resource::Surface).framebuffer.name(), GL_STENCIL, 0, &kNoLiquid);
+  glClearNamedFramebufferiv(target({Resource::Surface, liquid}).framebuffer(0), GL_STENCIL, 0, &kNoLiquid);
 }
 
 }  // namespace sluice::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <span>
 #include <vector>
@@ -18,24 +19,24 @@ class FrameTargets {
   void fit(const FramePlan& plan);
 
   /// Whether the last plan that was fitted has that buffer as a texture.
-  bool has(Resource resource) const { return targets_.contains(resource); }
-  core::ImageSize size(Resource resource) const;
+  bool has(BufferId id) const { return targets_.contains(id); }
+  core::ImageSize size(BufferId id) const;
 
   /// To read on the device.
-  const gl::Texture& texture(Resource resource);
-  /// To read or draw on the device.
-  GLuint framebuffer(Resource resource);
+  const gl::Texture& texture(BufferId id);
+  /// To read or draw on the device, with the stencil of `liquid` where the target uses one.
+  GLuint framebuffer(BufferId id, std::uint8_t liquid = 0);
   /// To draw into all of it on the device; 0 everywhere before.
-  void clear(Resource resource);
+  void clear(BufferId id);
 
   /// Row by row from the top. Only for buffers of floats.
-  std::span<const float> read(Resource resource);
-  std::span<float> change(Resource resource);
+  std::span<const float> read(BufferId id);
+  std::span<float> change(BufferId id);
   /// All 0.
-  std::span<float> startAnew(Resource resource);
+  std::span<float> startAnew(BufferId id);
 
-  /// The stencil of the surface: no liquid anywhere.
-  void clearStencil();
+  /// The stencil of a liquid's surface: no liquid anywhere.
+  void clearStencil(std::uint8_t liquid);
 
  private:
   enum class Newest { Both, Device, Memory };
@@ -43,19 +44,48 @@ class FrameTargets {
   struct Target {
     PictureBuffer buffer;
     gl::Texture texture;
-    gl::Framebuffer framebuffer;
+    /// One alone, or, where all liquids draw into it, one with the stencil of each.
+    std::vector<gl::Framebuffer> framebuffers;
     std::vector<float> memory;
     Newest newest = Newest::Device;
+
+    GLuint framebuffer(std::uint8_t liquid) const {
+      return framebuffers[liquid < framebuffers.size() ? liquid : 0].name();
+    }
   };
 
-  void make(const PictureBuffer& buffer, const PictureBuffer* stencil);
-  Target& target(Resource resource);
+  void make(const PictureBuffer& buffer, const FramePlan& plan);
+  Target& target(BufferId id);
   static void toDevice(Target& target);
   static void toMemory(Target& target);
 
   std::vector<PictureBuffer> buffers_;
-  std::map<Resource, Target> targets_;
-  gl::Renderbuffer stencil_;
+  std::map<BufferId, Target> targets_;
+  std::vector<gl::Renderbuffer> stencils_;  ///< One for each liquid.
+};
+
+/// The targets as one liquid's passes see them: its own surface, thickness and so on, and what all have in common.
+class LiquidTargets {
+ public:
+  LiquidTargets(FrameTargets& targets, std::uint8_t liquid) : targets_(&targets), liquid_(liquid) {}
+
+  bool has(Resource resource) const { return targets_->has(id(resource)); }
+  core::ImageSize size(Resource resource) const { return targets_->size(id(resource)); }
+  const gl::Texture& texture(Resource resource) const { return targets_->texture(id(resource)); }
+  const gl::Texture& texture(BufferId id) const { return targets_->texture(id); }
+  GLuint framebuffer(Resource resource) const { return targets_->framebuffer(id(resource), liquid_); }
+  void clear(Resource resource) const { targets_->clear(id(resource)); }
+  std::span<const float> read(Resource resource) const { return targets_->read(id(resource)); }
+  std::span<const float> read(BufferId id) const { return targets_->read(id); }
+  std::span<float> change(Resource resource) const { return targets_->change(id(resource)); }
+  std::span<float> startAnew(Resource resource) const { return targets_->startAnew(id(resource)); }
+  void clearStencil() const { targets_->clearStencil(liquid_); }
+
+ private:
+  BufferId id(Resource resource) const { return {resource, isOfLiquid(resource) ? liquid_ : std::uint8_t{0}}; }
+
+  FrameTargets* targets_;
+  std::uint8_t liquid_;
 };
 
 }  // namespace sluice::render

@@ -1,18 +1,9 @@
 #include "frame_uniforms.h"
 
+#include "pack.h"
 #include "splat_model.h"
 
 namespace sluice::render {
-
-namespace {
-
-FrameUniforms::Vec4 pack(const Eigen::Vector3f& v, float w) { return {v.x(), v.y(), v.z(), w}; }
-
-FrameUniforms::Vec4 pack(const v1::Vec3& v, double w = 0) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
-}
-
-}  // namespace
 
 SplatScale splatScale(const v1::Splats& splats, double spacing) {
   SplatScale scale;
@@ -30,19 +21,16 @@ Eigen::Vector3f sunDirection(const v1::Sun& sun) {
   return Eigen::Vector3d(direction.x(), direction.y(), direction.z()).normalized().cast<float>();
 }
 
-FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& picture, const ViewGeometry& thickness,
-                                const SplatScale& scale, const FramePlan& plan, const v1::Scene& scene) {
-  const v1::Liquid& liquid = scene.look().liquid();
+FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& picture, const v1::Scene& scene) {
   const v1::Background& background = scene.background();
   const auto width = static_cast<float>(view.size.width);
   const auto height = static_cast<float>(view.size.height);
   FrameUniforms u{};
-  u.eyeAndNear = pack(view.eye, scale.nearDepth);
+  u.eye = pack(view.eye, 0.0F);
   u.rightAndSlope = pack(view.right, view.maxSlope.x());
   u.downAndSlope = pack(view.down, view.maxSlope.y());
   u.forwardAndPixel = pack(view.forward, view.pixelSlope);
   u.pictureSize = {width, height, 1.0F / width, 1.0F / height};
-  u.splat = {scale.radius, scale.dropRadius, scale.spacing, plan.flatRims ? kRimDepth : 0.0F};
   u.floorAndHaze = {static_cast<float>(background.floor_height()), static_cast<float>(background.tile_size()),
                     background.floor() ? 1.0F : 0.0F, static_cast<float>(background.haze_distance())};
   u.tileLight = pack(background.tile_light());
@@ -50,11 +38,8 @@ FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& pi
   u.skyZenith = pack(background.sky().zenith());
   u.skyHorizon = pack(background.sky().horizon());
   u.sun = pack(sunDirection(scene.lighting().sun()), 0.0F);
-  u.absorptionAndIndex = pack(liquid.absorption(), liquid.refractive_index());
-  u.scatterAndGloss = pack(liquid.scatter_colour(), liquid.physical().roughness());
-  u.colourAndSpecular = pack(liquid.colour(), liquid.physical().specular());
   u.shadow = {static_cast<float>(scene.lighting().sun().shadow()), 0.0F, 0.0F, 0.0F};
-  u.otherSlopes = {picture.maxSlope.x(), picture.maxSlope.y(), thickness.maxSlope.x(), thickness.maxSlope.y()};
+  u.pictureSlopes = {picture.maxSlope.x(), picture.maxSlope.y(), 0.0F, 0.0F};
   return u;
 }
 

@@ -13,23 +13,19 @@ namespace sluice::render {
 struct FrameUniforms {
   using Vec4 = std::array<float, 4>;
 
-  Vec4 eyeAndNear;
+  Vec4 eye;
   Vec4 rightAndSlope;
   Vec4 downAndSlope;
   Vec4 forwardAndPixel;
   Vec4 pictureSize;
-  Vec4 splat;
   Vec4 floorAndHaze;
   Vec4 tileLight;
   Vec4 tileDark;
   Vec4 skyZenith;
   Vec4 skyHorizon;
   Vec4 sun;
-  Vec4 absorptionAndIndex;
-  Vec4 scatterAndGloss;
-  Vec4 colourAndSpecular;
   Vec4 shadow;
-  Vec4 otherSlopes;
+  Vec4 pictureSlopes;
 };
 
 /// Sizes of a frame's splats, m.
@@ -45,9 +41,8 @@ SplatScale splatScale(const v1::Splats& splats, double spacing);
 /// Unit vector towards the sun.
 Eigen::Vector3f sunDirection(const v1::Sun& sun);
 
-/// Everything but the shadow map's place, which is left 0. `target` is the view that is drawn into, `picture` and
-/// `thickness` those of two buffers that its passes read.
-FrameUniforms makeFrameUniforms(const ViewGeometry& target, const ViewGeometry& picture, const ViewGeometry& thickness,
-                                const SplatScale& scale, const FramePlan& plan, const v1::Scene& scene);
+/// Everything but the shadow map's place, which is left 0. `target` is the view that is drawn into, `picture` that of
+/// the picture.
+FrameUniforms makeFrameUniforms(const ViewGeometry& target, const ViewGeometry& picture, const v1::Scene& scene);
 
 }  // namespace sluice::render

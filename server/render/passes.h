@@ -4,6 +4,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "frame_context.h"
 #include "shadow_map.h"
@@ -11,6 +13,7 @@
 #include "smoothing/smoothing_method.h"
 #include "splat_target.h"
 #include "thickness_smoothing.h"
+#include "tone_curve.h"
 
 namespace sluice::render {
 
@@ -95,6 +98,7 @@ struct CompositeVariant {
   bool opaque = false;
   bool specular = false;
   bool normals = false;
+  bool layered = false;
 
   auto operator<=>(const CompositeVariant&) const = default;
   std::vector<std::string_view> defines() const;
@@ -104,10 +108,8 @@ struct CompositeVariant {
 class CompositePass {
  public:
   void run(const FrameContext& frame);
-  void show(View view) { view_ = view; }
 
  private:
-  View view_ = View::Liquid;
   std::map<CompositeVariant, gl::Program> programs_;
 };
 
@@ -126,15 +128,28 @@ class BlendLiquidPass {
 class SprayPass {
  public:
   void run(const FrameContext& frame);
-  void show(View view) { view_ = view; }
 
  private:
-  View view_ = View::Liquid;
-  std::optional<gl::Program> overLiquid_;
-  std::optional<gl::Program> alone_;
+  std::map<std::pair<bool, bool>, gl::Program> programs_;  ///< By whether its liquid, and others, have surfaces.
 };
 
+/// From the picture's light to what a screen shows.
+class ToneMapPass {
+ public:
+  /// 8-bit sRGB, RGBA, row by row from the top.
+  std::vector<std::uint8_t> run(const FrameContext& frame);
+
+ private:
+  std::optional<ToneTable> table_;
+  v1::Tone toneOf_;
+  std::vector<std::uint16_t> radiance_;
+  std::map<std::string_view, gl::Program> programs_;
+};
+
+/// Binds the surfaces of the frame's other liquids for layers.glsl.
+void bindOtherSurfaces(const FrameContext& frame, const gl::Program& program);
+
 /// The scene under the liquid: with its shadow where it has one.
-Resource sceneOf(const FramePlan& plan);
+Resource sceneOf(const FrameContext& frame);
 
 }  // namespace sluice::render

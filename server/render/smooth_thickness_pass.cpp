@@ -13,7 +13,6 @@ void SmoothThicknessPass::run(const FrameContext& frame) {
   }
   const float scale = ThicknessSmoothing::kReachOfDeviation * deviation / frame.thicknessView.pixelSlope;
   glProgramUniform1f(program_.name(), 1, scale);
-  glProgramUniform2f(program_.name(), 2, frame.surfaceView.maxSlope.x(), frame.surfaceView.maxSlope.y());
   const core::ImageSize size = frame.thicknessView.size;
   const auto smooth = [&](Resource from, Resource to, float dx, float dy) {
     beginTarget(frame, to);

@@ -13,7 +13,7 @@ void SmoothingPass::run(const FrameContext& frame) {
   }
   // Filters draw where there is liquid alone, and read what is beside it too.
   for (const Resource scratch : kSurfaceScratch) {
-    if (frame.plan.buffer(scratch) != nullptr) frame.targets.clear(scratch);
+    if (frame.targets.has(scratch)) frame.targets.clear(scratch);
   }
   method->run(frame);
 }

@@ -12,7 +12,7 @@ void beginNearest(const FrameContext& frame) {
 
 void drawNatively(const FrameContext& frame) {
   const SplatList& visible = frame.selection.visible;
-  const float rimDepth = frame.plan.flatRims ? kRimDepth : 0.0F;
+  const float rimDepth = frame.surface().flatRims ? kRimDepth : 0.0F;
   const std::span<float> surface = frame.targets.startAnew(Resource::Surface);
   switch (frame.shape) {
     case SplatShape::Sphere:
@@ -43,7 +43,7 @@ void SplatsPass::runPoints(const FrameContext& frame) {
 }
 
 void SplatsPass::runLarge(const FrameContext& frame) {
-  if (!frame.plan.runs(Pass::Splats)) frame.targets.clear(Resource::Surface);
+  if (!frame.plan.runs(Pass::Splats, frame.liquid)) frame.targets.clear(Resource::Surface);
   beginNearest(frame);
   const gl::Program& program = programs_.large(frame.shape);
   glUseProgram(program.name());

@@ -3,14 +3,15 @@
 namespace sluice::render {
 
 void SprayPass::run(const FrameContext& frame) {
-  const bool hasLiquid = frame.plan.runs(Pass::Composite);
-  if (!hasLiquid) copy(frame, sceneOf(frame.plan), Resource::Picture);
-  if (view_ != View::Liquid) return;  // drops are no part of the surface
-  std::optional<gl::Program>& program = hasLiquid ? overLiquid_ : alone_;
-  if (!program) {
+  const bool hasLiquid = frame.plan.runs(Pass::Composite, frame.liquid);
+  const bool hasOthers = frame.plan.layers > 1 || (!hasLiquid && frame.plan.runs(Pass::Composite));
+  auto program = programs_.find({hasLiquid, hasOthers});
+  if (program == programs_.end()) {
     std::vector<std::string_view> defines;
     if (hasLiquid) defines.emplace_back("LIQUID");
-    program = shaders().program("spray.vert", "spray.frag", defines);
+    if (hasOthers) defines.emplace_back("LAYERED");
+    program = programs_.emplace(std::pair(hasLiquid, hasOthers), shaders().program("spray.vert", "spray.frag", defines))
+                  .first;
   }
   beginTarget(frame, Resource::Picture);
   glEnable(GL_BLEND);
@@ -18,9 +19,9 @@ void SprayPass::run(const FrameContext& frame) {
   // Colours come multiplied by their coverage.
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (hasLiquid) bindTexture(frame, 0, Resource::Surface);
-  glUseProgram(program->name());
-  aimSplats(*program, frame.view, false);
-  glProgramUniform2f(program->name(), 1, frame.surfaceView.maxSlope.x(), frame.surfaceView.maxSlope.y());
+  if (hasOthers) bindOtherSurfaces(frame, program->second);
+  glUseProgram(program->second.name());
+  aimSplats(program->second, frame.view, false);
   frame.splats.spray.drawRectangles();
 }
 

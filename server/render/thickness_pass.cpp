@@ -40,7 +40,7 @@ void ThicknessPass::runPoints(const FrameContext& frame) {
 }
 
 void ThicknessPass::runLarge(const FrameContext& frame) {
-  if (!frame.plan.runs(Pass::Thickness)) frame.targets.clear(Resource::Thickness);
+  if (!frame.plan.runs(Pass::Thickness, frame.liquid)) frame.targets.clear(Resource::Thickness);
   beginSum(frame);
   const gl::Program& program = programs_.large(solid(frame.shape));
   glUseProgram(program.name());

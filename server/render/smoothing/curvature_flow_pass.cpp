@@ -10,7 +10,7 @@ namespace {
 class CurvatureFlowPass final : public SmoothingMethod {
  public:
   void run(const FrameContext& frame) override {
-    const FlowSchedule& schedule = frame.plan.flow;
+    const FlowSchedule& schedule = frame.surface().flow;
     const double edge = frame.look.smoothing().curvature_flow().edge_in_radii() * frame.scale.radius;
     if (frame.plan.device.software) {
       cpu_.run(frame.targets.change(Resource::Surface), frame.surfaceView.size,

@@ -10,10 +10,10 @@ class CurvatureFlowVanDerLaan2009Pass final : public SmoothingMethod {
  public:
   void run(const FrameContext& frame) override {
     const double edge = frame.look.smoothing().curvature_flow_vanderlaan2009().edge_in_radii() * frame.scale.radius;
-    glProgramUniform1f(program_.name(), 0, static_cast<float>(frame.plan.flow.stepTime));
+    glProgramUniform1f(program_.name(), 0, static_cast<float>(frame.surface().flow.stepTime));
     glProgramUniform1f(program_.name(), 1, static_cast<float>(edge));
     SurfaceTurns turns(frame);
-    for (int i = 0; i < frame.plan.flow.iterations; ++i) turns.draw(program_);
+    for (int i = 0; i < frame.surface().flow.iterations; ++i) turns.draw(program_);
     turns.finish();
   }
 

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 1> kRate{"RATE"};
 class RklCurvatureFlowPass final : public SmoothingMethod {
  public:
   void run(const FrameContext& frame) override {
-    const FlowSchedule& schedule = frame.plan.flow;
+    const FlowSchedule& schedule = frame.surface().flow;
     const double edge = frame.look.smoothing().rkl_curvature_flow().edge_in_radii() * frame.scale.radius;
     if (frame.plan.device.software) {
       cpu_.run(frame.targets.change(Resource::Surface), frame.surfaceView.size,

@@ -47,10 +47,11 @@ struct BodyPose {
 /// The particles at one moment, frozen: made by one thread, read by any. Structure of arrays; every array is either
 /// empty (the source does not know it) or has one element per particle, and all arrays share one order.
 struct ParticleSnapshot {
-  std::uint64_t sequence = 0;  ///< Counts snapshots of one run of the program; never repeats.
-  double time = 0;             ///< Simulated time, s.
-  double spacing = 0;          ///< Initial particle spacing d, m; > 0.
-  double restDensity = 1000;   ///< kg/m³.
+  std::uint64_t sequence = 0;         ///< Counts snapshots of one run of the program; never repeats.
+  double time = 0;                    ///< Simulated time, s.
+  double spacing = 0;                 ///< Initial particle spacing d, m; > 0.
+  double restDensity = 1000;          ///< kg/m³.
+  std::vector<double> restDensities;  ///< Of each fluid, kg/m³, where there are several.
 
   std::vector<Eigen::Vector3f> positions;   ///< m; finite.
   std::vector<Eigen::Vector3f> velocities;  ///< m/s.

@@ -13,16 +13,16 @@
 
 namespace sluice::render {
 
-/// What a picture shows.
-enum class View {
-  Liquid,
-  Normals,  ///< The smoothed surface's normals in view space, a colour per component: ½ + ½·n, as linear values.
-};
-
 /// One value per pixel, row by row from the top.
 struct FloatPicture {
   core::ImageSize size;
   std::vector<float> values;
+};
+
+/// Linear light, before tone mapping: red, green, blue, and a fourth value without meaning; row by row from the top.
+struct RadiancePicture {
+  core::ImageSize size;
+  std::vector<float> values;  ///< 4·width·height.
 };
 
 /// Draws particles as liquid. Lives on the thread of its context. Buffers are kept between frames of equal plans.
@@ -41,12 +41,12 @@ class FluidRenderer {
   core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
                      core::ImageSize size);
 
-  /// What the pictures from now on show.
-  void show(View view);
-
   /// A buffer of the last frame, for studies and tests: Resource::Surface (inverse eye depth, 1/m, after smoothing) or
-  /// Resource::Thickness (m). Empty when the frame did without it.
-  FloatPicture readBuffer(Resource resource);
+  /// Resource::Thickness (m), of one liquid. Empty when the frame did without it.
+  FloatPicture readBuffer(Resource resource, std::size_t liquid = 0);
+
+  /// The last picture.
+  RadiancePicture readRadiance();
 
   /// What the look's smoothing makes of a given surface: inverse eye depths, 1/m, 0 where there is no liquid, seen by
   /// `camera`, with particles `spacing` m apart. The look's divisor does not count.

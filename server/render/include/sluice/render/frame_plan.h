@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,9 +28,12 @@ enum class Pass : std::uint8_t {
   Thickness,
   LargeThickness,
   SmoothThickness,
+  BeginPicture,
+  ExtendScene,
   Composite,
   BlendLiquid,
   Spray,
+  ToneMap,
 };
 
 /// What passes read and write.
@@ -36,8 +41,8 @@ enum class Resource : std::uint8_t {
   Particles,       ///< Positions, as they came.
   SplatList,       ///< Which particles are drawn, and how.
   ShadowMap,       ///< Liquid that sunlight passes before it meets the floor.
-  Background,      ///< Floor and sky without the liquid.
-  Scene,           ///< Floor and sky with the liquid's shadow.
+  Background,      ///< What surrounds the liquid, in linear light; alpha is the share that comes from the sun.
+  Scene,           ///< The same with what the liquid does to the sunlight, and with liquids farther off.
   Surface,         ///< Inverse eye depth q = 1/z of the liquid's front, 1/m; 0 where there is none.
   SurfaceScratch,  ///< The other half of a filter's to and fro.
   SurfaceScratch2,
@@ -46,8 +51,9 @@ enum class Resource : std::uint8_t {
   Stencil,    ///< 1 where there is liquid.
   Thickness,  ///< Liquid along the line of sight, m.
   ThicknessScratch,
-  Liquid,  ///< The shaded liquid alone, where it is drawn smaller than the picture.
-  Picture,
+  Liquid,   ///< The shaded liquid alone, where it is drawn smaller than the picture.
+  Picture,  ///< Scene and liquid in linear light.
+  Screen,   ///< The picture as a screen shows it.
 };
 
 /// What smoothing may draw into besides the surface itself, alike in size and format, in the order in which a method
@@ -58,10 +64,24 @@ inline constexpr std::array kSurfaceScratch{Resource::SurfaceScratch, Resource::
 /// The surface, or one of its scratch buffers.
 bool isSurface(Resource resource);
 
+/// Whether every liquid has one of its own.
+bool isOfLiquid(Resource resource);
+
+/// Most liquids that one picture may hold.
+inline constexpr std::size_t kMostLiquids = 8;
+
+/// A buffer: a resource, and of which liquid, where every liquid has its own; else 0.
+struct BufferId {
+  Resource resource;
+  std::uint8_t liquid = 0;
+
+  auto operator<=>(const BufferId&) const = default;
+};
+
 std::string_view name(Pass pass);
 std::string_view name(Resource resource);
 
-/// Facts about the particles at hand and their place in the picture.
+/// Facts about the particles of one liquid and their place in the picture.
 struct DataTraits {
   double spacing = 1;              ///< d, m.
   std::size_t points = 0;          ///< Splats drawn as points.
@@ -104,27 +124,36 @@ struct FlowSchedule {
 struct PassStep {
   Pass pass;
   std::string name;
-  std::vector<Resource> reads;
-  std::vector<Resource> writes;
-  int sweeps = 1;  ///< Times that it goes over its whole picture.
+  std::vector<BufferId> reads;
+  std::vector<BufferId> writes;
+  int sweeps = 1;           ///< Times that it goes over its whole picture.
+  std::uint8_t liquid = 0;  ///< Whose surface it works on.
+  /// Of several liquids one behind another: draws what has so many others behind it.
+  std::uint8_t layer = 0;
 
   bool operator==(const PassStep&) const = default;
 };
 
-enum class PixelFormat : std::uint8_t { Srgb8Alpha8, R32f, Stencil8 };
+enum class PixelFormat : std::uint8_t { Rgba16f, Srgb8Alpha8, R32f, Stencil8 };
 
 std::uint64_t bytesPerPixel(PixelFormat format);
 
 struct PictureBuffer {
-  Resource resource;
+  BufferId id;
   PixelFormat format;
   core::ImageSize size;
   /// The buffer whose memory this one uses, because the two never hold anything at the same time.
-  std::optional<Resource> sharedWith = {};
+  std::optional<BufferId> sharedWith = {};
 
   /// 0 where the memory is another buffer's.
   std::uint64_t bytes() const;
   bool operator==(const PictureBuffer&) const = default;
+};
+
+/// How one liquid's surface is drawn.
+struct SurfacePlan {
+  FlowSchedule flow;
+  bool flatRims = false;  ///< Splats' limbs do not fall far behind their fronts, see kRimDepth.
 };
 
 /// What one frame runs, needs, and leaves out. The renderer executes exactly `steps`.
@@ -132,13 +161,15 @@ struct FramePlan {
   std::vector<PassStep> steps;
   std::vector<PictureBuffer> buffers;
   std::vector<core::LeftOut> leftOut;
-  FlowSchedule flow;
-  bool flatRims = false;  ///< Splats' limbs do not fall far behind their fronts, see kRimDepth.
+  std::vector<SurfacePlan> surfaces;  ///< One for each liquid.
+  int layers = 1;                     ///< Most liquids one behind another.
   DeviceTraits device;
 
   bool runs(Pass pass) const;
+  bool runs(Pass pass, std::size_t liquid) const;
   /// Null when the frame does without it.
-  const PictureBuffer* buffer(Resource resource) const;
+  const PictureBuffer* buffer(BufferId id) const;
+  const PictureBuffer* buffer(Resource resource, std::size_t liquid = 0) const;
   /// The same for people to read.
   core::Plan describe() const;
 };
@@ -146,8 +177,11 @@ struct FramePlan {
 /// The picture's size divided by 1, 2 or 4, rounded up.
 core::ImageSize dividedSize(core::ImageSize size, unsigned divisor);
 
-/// Pure: the same arguments give the same plan. `scene` is complete and valid.
-FramePlan planFrame(const v1::Scene& scene, core::ImageSize size, const DataTraits& traits, const ReuseTraits& reuse,
-                    const DeviceTraits& device = {});
+/// The look of the k-th liquid of a complete scene.
+const v1::Look& lookOf(const v1::Scene& scene, std::size_t liquid);
+
+/// Pure: the same arguments give the same plan. `scene` is complete and valid; `liquids` holds the traits of each.
+FramePlan planFrame(const v1::Scene& scene, core::ImageSize size, std::span<const DataTraits> liquids,
+                    const ReuseTraits& reuse, const DeviceTraits& device = {});
 
 }  // namespace sluice::render

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frame_uniforms.h"
+#include "sluice/core/particle_snapshot.h"
+#include "sluice/gl/objects.h"
+#include "splat_buffers.h"
+#include "splat_model.h"
+#include "splat_selection.h"
+#include "view_geometry.h"
+
+namespace sluice::render {
+
+/// The particles of each liquid of a snapshot: the snapshot itself where there is but one. At least one.
+std::vector<std::shared_ptr<const core::ParticleSnapshot>> splitByFluid(const core::ParticleSnapshot& particles);
+
+/// What a renderer knows of one liquid, and keeps from frame to frame.
+struct LiquidState {
+  std::shared_ptr<const core::ParticleSnapshot> particles;
+  SplatModel model;
+  v1::Splats splatsOfModel;
+
+  // Of the frame at hand.
+  ViewGeometry surfaceView;
+  ViewGeometry thicknessView;
+  SplatScale scale;
+  SplatSelection selection;
+
+  SplatBuffers splats;
+  gl::StreamBuffer surfaceUniforms;  ///< FrameUniforms of passes that draw into the surface.
+  gl::StreamBuffer liquidUniforms;
+};
+
+}  // namespace sluice::render

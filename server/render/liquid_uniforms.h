@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+
+#include "frame_uniforms.h"
+#include "sluice/render/frame_plan.h"
+#include "sluice/v1/scene.pb.h"
+#include "view_geometry.h"
+
+namespace sluice::render {
+
+/// What passes know of the liquid at hand, as std140 lays it out. Mirrors shaders/liquid_uniforms.glsl, where each
+/// member is described; a test compares the two.
+struct LiquidUniforms {
+  using Vec4 = std::array<float, 4>;
+
+  Vec4 splat;
+  Vec4 slopes;
+  Vec4 nearDepth;
+  Vec4 absorptionAndIndex;
+  Vec4 scatterAndGloss;
+  Vec4 colourAndSpecular;
+};
+
+/// `surface` and `thickness` are the views of the liquid's two buffers.
+LiquidUniforms makeLiquidUniforms(const ViewGeometry& surface, const ViewGeometry& thickness, const SplatScale& scale,
+                                  const SurfacePlan& plan, const v1::Look& look);
+
+}  // namespace sluice::render

@@ -1,0 +1,77 @@
+#include "planner.h"
+
+namespace sluice::render {
+
+void Planner::beginPicture() {
+  if (plan_.runs(Pass::BeginPicture)) return;
+  allocate(Resource::Picture, PixelFormat::Rgba16f, size_);
+  run(Pass::BeginPicture, {sceneUnderLiquid()}, {Resource::Picture});
+}
+
+void Planner::planComposites() {
+  // A liquid is seen through those before it: what each adds to the scene is drawn before the next looks it up.
+  if (plan_.layers > 1) {
+    allocate(Resource::Scene, PixelFormat::Rgba16f, size_);
+  } else {
+    leaveOut(Pass::ExtendScene, "there is but one liquid in the picture");
+  }
+  beginPicture();
+  for (int layer = 0; layer < plan_.layers; ++layer) {
+    if (layer > 0) {
+      run(Pass::ExtendScene, {Resource::Picture}, {Resource::Scene});
+      hasScene_ = true;
+    }
+    forEachLiquid([&] { planComposite(layer); });
+  }
+}
+
+void Planner::planComposite(int layer) {
+  const v1::Liquid& liquid = look().liquid();
+  std::vector<Resource> reads{sceneUnderLiquid(), Resource::Surface, Resource::Stencil};
+  if (!liquid.opaque()) reads.push_back(Resource::Thickness);
+  if (layer == 0 && liquid.physical().specular() <= 0) {
+    leaveOut("specular highlight", "look.liquid.physical.specular is 0");
+  }
+  if (look().smoothing().divisor() == 1) {
+    run(Pass::Composite, std::string(name(Pass::Composite)), reads, {Resource::Picture}, 1, layer);
+    if (layer == 0) leaveOut(Pass::BlendLiquid, "the liquid is as fine as the picture");
+  } else {
+    allocate(Resource::Liquid, PixelFormat::Rgba16f, surfaceSize());
+    run(Pass::Composite, std::string(name(Pass::Composite)), reads, {Resource::Liquid}, 1, layer);
+    run(Pass::BlendLiquid, std::string(name(Pass::BlendLiquid)), {sceneUnderLiquid(), Resource::Liquid},
+        {Resource::Picture}, 1, layer);
+  }
+}
+
+void Planner::planSpray() {
+  for (std::size_t k = 0; k < liquids_.size(); ++k) {
+    forLiquid(k);
+    if (scene_.view().has_normals()) {
+      leaveOut(Pass::Spray, "drops are no part of the surface that is shown");
+    } else if (traits().sprayDrops > 0) {
+      beginPicture();
+      std::vector<Resource> reads{Resource::Particles, Resource::SplatList};
+      if (traits().splats() > 0) reads.push_back(Resource::Surface);
+      run(Pass::Spray, reads, {Resource::Picture});
+    } else if (look().splats().stray_density() <= 0) {
+      leaveOut(Pass::Spray, "look.splats.stray_density is 0");
+    } else if (!traits().densities) {
+      leaveOut(Pass::Spray, "the source gives no densities");
+    } else {
+      leaveOut(Pass::Spray, "no particle in the picture is far from the rest");
+    }
+  }
+  forTheScene();
+}
+
+void Planner::planToneMap() {
+  const bool hasPicture = plan_.buffer(Resource::Picture) != nullptr;
+  std::vector<Resource> writes;
+  if (!plan_.device.software) {
+    allocate(Resource::Screen, PixelFormat::Srgb8Alpha8, size_);
+    writes.push_back(Resource::Screen);
+  }
+  run(Pass::ToneMap, {hasPicture ? Resource::Picture : Resource::Background}, writes);
+}
+
+}  // namespace sluice::render

@@ -1,0 +1,10 @@
+// What passes know of the liquid at hand. Mirrors `LiquidUniforms` in server/render/liquid_uniforms.h; a test compares
+// them.
+layout(std140, binding = 1) uniform LiquidUniforms {
+  vec4 splat;              // radius R, m; radius of a drop of spray, m; spacing d, m; depth of flat rims, R, or 0
+  vec4 slopes;             // largest |W_x|, |W_y| of the thickness; of the surface
+  vec4 nearDepth;          // depth before which surfaces are cut, m
+  vec4 absorptionAndIndex; // 1/m; refractive index n
+  vec4 scatterAndGloss;    // colour; roughness of the highlight
+  vec4 colourAndSpecular;  // diffuse colour; strength of the highlight
+} liquid;
