@@ -12,7 +12,7 @@ std::vector<std::string_view> CompositeVariant::defines() const {
 }
 
 Resource sceneOf(const FrameContext& frame) {
-  const bool changed = frame.plan.runs(Pass::GroundShadow) || frame.layer > 0;
+  const bool changed = frame.plan.runs(Pass::GroundShadow) || frame.plan.runs(Pass::GlassBehind) || frame.layer > 0;
   return changed ? Resource::Scene : Resource::Background;
 }
 

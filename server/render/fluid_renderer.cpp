@@ -53,6 +53,7 @@ class FluidRenderer::Impl {
     if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, view);
 
     noteParticles(particles);
+    passes_.setBodies(scene, particles.bodies);
     std::vector<DataTraits> traits;
     for (std::size_t k = 0; k < liquids_.size(); ++k) traits.push_back(select(*liquids_[k], lookOf(scene, k), view));
     clock_.lap(name(Pass::SelectSplats));
@@ -61,6 +62,7 @@ class FluidRenderer::Impl {
     targets_.fit(plan);
 
     setUpGl();
+    passes_.bindLights(scene);
     for (std::size_t k = 0; k < liquids_.size(); ++k) uploadSplats(plan, k, view);
     castShadowIfNeeded(plan, particles, scene);
     uploadUniforms(plan, scene, view);
@@ -73,6 +75,7 @@ class FluidRenderer::Impl {
     sceneOf_ = withoutSource(scene);
     cameraOf_ = camera;
     spacingOf_ = particles.spacing;
+    bodiesOf_ = passes_.bodyChanges();
     hasBackground_ = true;
     hasPicture_ = true;
     return finish(particles, size);
@@ -149,7 +152,8 @@ class FluidRenderer::Impl {
 
   ReuseTraits reuse(const v1::Scene& scene, const core::Camera& camera, core::ImageSize size) const {
     return {hasBackground_ && targets_.size({Resource::Background}) == size && cameraOf_ == camera &&
-            sameSurroundings(scene)};
+                sameSurroundings(scene) && passes_.bodyChanges() == bodiesOf_,
+            hasBackground_ && passes_.bodyChanges() == bodiesOf_};
   }
 
   /// The last frame's picture is still there.
@@ -338,6 +342,7 @@ class FluidRenderer::Impl {
   v1::Scene sceneOf_;  ///< Of the last picture, without its source.
   core::Camera cameraOf_;
   double spacingOf_ = 0;
+  std::uint64_t bodiesOf_ = 0;  ///< Changes of the bodies until the last picture.
   bool hasBackground_ = false;
   bool hasPicture_ = false;
   ShadowMap shadow_;

@@ -22,11 +22,11 @@ namespace sluice::render {
 class BackgroundPass {
  public:
   BackgroundPass();
-  void run(const FrameContext& frame) const;
+  void run(const FrameContext& frame);
 
  private:
   gl::Program sky_;
-  gl::Program floor_;
+  std::map<std::pair<bool, bool>, gl::Program> floors_;  ///< By whether bodies shade it, and lamps light it.
 };
 
 /// Copies the background into the scene and darkens the floor there.
@@ -78,10 +78,11 @@ class SmoothThicknessPass {
 class MaskPass {
  public:
   MaskPass();
-  void run(const FrameContext& frame) const;
+  void run(const FrameContext& frame);
 
  private:
   gl::Program program_;
+  std::optional<gl::Program> withBodies_;
 };
 
 /// Whatever method the look chooses; each is made when it is first used.
@@ -130,7 +131,7 @@ class SprayPass {
   void run(const FrameContext& frame);
 
  private:
-  std::map<std::pair<bool, bool>, gl::Program> programs_;  ///< By whether its liquid, and others, have surfaces.
+  std::map<std::vector<std::string_view>, gl::Program> programs_;  ///< By what may hide it.
 };
 
 /// From the picture's light to what a screen shows.

@@ -20,16 +20,22 @@ FramePlan Planner::plan() {
     return std::move(plan_);
   }
   plan_.layers = std::max(1, static_cast<int>(liquidsWithSplats()));
+  planBodyShadow();
   planBackground();
+  planBodies();
   planGroundShadow();
   if (liquidsWithSplats() == 0) {
     leaveOut("liquid", "no particle is in the picture");
     if (anySpray()) run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});
+    planGlassBehind();
   } else {
     forEachLiquid([&] { planSurface(); });
+    planGlassBehind();
     planComposites();
+    planBodyEdges();
   }
   planSpray();
+  planGlassBefore();
   planToneMap();
   return std::move(plan_);
 }

@@ -23,6 +23,14 @@ class Planner {
   // plan_scene.cpp
   void planBackground();
   void planGroundShadow();
+  // plan_bodies.cpp
+  bool hasBodies() const;
+  bool hasGlass() const;
+  void planBodyShadow();
+  void planBodies();
+  void planBodyEdges();
+  void planGlassBehind();
+  void planGlassBefore();
   // plan_surface.cpp
   void planSurface();
   void planSplats();

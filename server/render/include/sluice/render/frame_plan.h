@@ -18,7 +18,9 @@ namespace sluice::render {
 
 /// Everything a frame may run, in the order in which it runs.
 enum class Pass : std::uint8_t {
+  BodyShadow,
   Background,
+  Bodies,
   GroundShadow,
   SelectSplats,
   Splats,
@@ -28,11 +30,15 @@ enum class Pass : std::uint8_t {
   Thickness,
   LargeThickness,
   SmoothThickness,
+  ClipThickness,
+  GlassBehind,
   BeginPicture,
   ExtendScene,
   Composite,
   BlendLiquid,
+  BodyEdges,
   Spray,
+  GlassBefore,
   ToneMap,
 };
 
@@ -41,6 +47,9 @@ enum class Resource : std::uint8_t {
   Particles,       ///< Positions, as they came.
   SplatList,       ///< Which particles are drawn, and how.
   ShadowMap,       ///< Liquid that sunlight passes before it meets the floor.
+  BodyShadowMap,   ///< Depth of the bodies as the sun sees them.
+  BodySamples,     ///< Light and depth of the bodies, four samples a pixel.
+  SceneDepth,      ///< Inverse eye depth of floor and bodies, 1/m; 0 where there is none.
   Background,      ///< What surrounds the liquid, in linear light; alpha is the share that comes from the sun.
   Scene,           ///< The same with what the liquid does to the sunlight, and with liquids farther off.
   Surface,         ///< Inverse eye depth q = 1/z of the liquid's front, 1/m; 0 where there is none.
@@ -100,6 +109,7 @@ struct DataTraits {
 /// What stayed valid since the frame before.
 struct ReuseTraits {
   bool background = false;
+  bool bodies = false;   ///< Bodies, where they stand, and the sun.
   bool picture = false;  ///< The whole picture: nothing has moved or changed.
 };
 
@@ -134,7 +144,7 @@ struct PassStep {
   bool operator==(const PassStep&) const = default;
 };
 
-enum class PixelFormat : std::uint8_t { Rgba16f, Srgb8Alpha8, R32f, Stencil8 };
+enum class PixelFormat : std::uint8_t { Rgba16f, Rgba16fDepth32fTimes4, Srgb8Alpha8, R32f, Stencil8 };
 
 std::uint64_t bytesPerPixel(PixelFormat format);
 
