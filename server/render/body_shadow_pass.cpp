@@ -15,6 +15,8 @@ void BodyShadowPass::run(const FrameContext& frame, const BodyScene& bodies) {
     glCreateFramebuffers(1, &name);
     framebuffer_ = gl::Framebuffer(name);
     glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, map_.name(), 0);
+    glNamedFramebufferDrawBuffer(name, GL_NONE);
+    glNamedFramebufferReadBuffer(name, GL_NONE);
   }
   beginTarget(frame, Resource::Background);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
