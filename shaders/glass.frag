@@ -53,8 +53,10 @@ void main() {
 #ifdef RIM
   // Light from all around is led through the pane to its polished edge: bright, and as deep in colour as the way is long.
   float cover = clamp(pixels + 0.5 - abs(across), 0.0, 1.0) * min(2.0 * pixels, 1.0);
-  vec3 led = mix(skyRadiance(vec3(0.0, 1.0, 0.0)), frame.skyHorizon.rgb, 0.7) * pow(tintAndIndex.rgb, vec3(3.0));
-  light = vec4(0.75 * cover * led, 0.0);
+  vec3 sky = mix(skyRadiance(vec3(0.0, 1.0, 0.0)), frame.skyHorizon.rgb, 0.7);
+  // Led from every side, it is a mixture, and whiter than the sky.
+  vec3 led = mix(sky, vec3(dot(sky, vec3(0.2126, 0.7152, 0.0722))), 0.7) * pow(tintAndIndex.rgb, vec3(3.0));
+  light = vec4(1.1 * cover * led, 0.0);
   passed = vec4(vec3(1.0 - 0.7 * cover), 1.0);
 #else
   float cosine = clamp(-dot(n, sight), 1e-3, 1.0);

@@ -50,8 +50,8 @@ std::vector<RimPiece> rimsOf(const BodyScene& bodies) {
   std::vector<RimPiece> rims;
   for (const BodyInstance& body : bodies.bodies()) {
     if (!body.isGlass()) continue;
-    // As thick as panes of a tank are: a hundredth of its size.
-    const float width = 0.01F * boundsOf(body).radius;
+    // As thick as panes of a tank are: a two-hundredth of its size.
+    const float width = 0.005F * boundsOf(body).radius;
     for (const BodyRim& rim : body.model->mesh.rims) {
       for (std::size_t i = 0; i + 1 < rim.size(); ++i) {
         rims.push_back({body.pose * rim[i], body.pose * rim[i + 1], glassOf(body), width});
