@@ -12,5 +12,8 @@ float sceneDepthAt(vec2 W) { return texture(sceneDepth, 0.5 + 0.5 * W / frame.pi
 // Of a body; 0 where floor or nothing is seen.
 float bodyDepthAt(vec2 W) {
   float q = sceneDepthAt(W);
-  return q > floorInverseDepth(W) * 1.0001 ? q : 0.0;
+  // The floor of that very pixel, whose middle may be off the line of sight.
+  vec2 size = vec2(textureSize(sceneDepth, 0));
+  vec2 pixel = (floor((0.5 + 0.5 * W / frame.pictureSlopes.xy) * size) + 0.5) / size;
+  return q > floorInverseDepth((2.0 * pixel - 1.0) * frame.pictureSlopes.xy) * 1.0001 ? q : 0.0;
 }

@@ -93,8 +93,10 @@ TEST_F(Bodies, HoldTheLiquidBeforeThemThin) {
   addBall(3.3F, 0.25);  // its front 0.05 m behind the liquid's
   draw();
   EXPECT_TRUE(ran("clip thickness"));
-  EXPECT_LT(middle(), 0.09F);
-  EXPECT_GT(whole, 0.1F);
+  const render::FloatPicture surface = renderer.readBuffer(render::Resource::Surface);
+  const float front = 1.0F / surface.values[static_cast<std::size_t>(size.height / 2 * size.width + size.width / 2)];
+  EXPECT_LE(middle(), 3.05F - front + 1e-3F);
+  EXPECT_GT(whole, 3.05F - front + 1e-2F);
 }
 
 TEST_F(Bodies, AreKeptWhileNothingMoves) {
@@ -173,7 +175,9 @@ TEST_F(Bodies, ClearGlassOfIndexOneIsUnseen) {
   const core::Frame with = draw();
   EXPECT_TRUE(ran("glass behind"));
   scene.clear_bodies();
-  EXPECT_EQ(with.pixels, draw().pixels);
+  const core::Frame without = draw();
+  // Light times 1 − 10⁻⁸, which may fall on the other side of a half float.
+  for (std::size_t i = 0; i < with.pixels.size(); ++i) ASSERT_LE(std::abs(with.pixels[i] - without.pixels[i]), 1);
 }
 
 TEST_F(Bodies, GlassTintsByTheSquareOfItsTwoWalls) {
