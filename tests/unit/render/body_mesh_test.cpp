@@ -107,7 +107,8 @@ TEST(BodyMesh, OpenTopsLackJustTheirLid) {
 
 TEST(BodyMesh, RimsLieOnTheSurface) {
   EXPECT_EQ(makeBox(box(1, 2, 3)).rims.size(), 12U);
-  for (const BodyRim& rim : makeBox(box(1, 2, 3)).rims) {
+  const BodyMesh cuboid = makeBox(box(1, 2, 3));
+  for (const BodyRim& rim : cuboid.rims) {
     const Vector3f middle = 0.5F * (rim.front() + rim.back());
     // The middle of an edge touches two faces.
     EXPECT_EQ((middle.cwiseAbs() - Vector3f(0.5F, 1, 1.5F))
@@ -116,7 +117,8 @@ TEST(BodyMesh, RimsLieOnTheSurface) {
                   .sum(),
               2);
   }
-  for (const Vector3f& point : makeCylinder(cylinder(0.5, 2)).rims.front()) {
+  const BodyMesh tube = makeCylinder(cylinder(0.5, 2));
+  for (const Vector3f& point : tube.rims.front()) {
     EXPECT_NEAR(std::hypot(point.x(), point.z()), 0.5, 1e-6);
   }
 }
