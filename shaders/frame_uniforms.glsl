@@ -11,7 +11,10 @@ layout(std140, binding = 0) uniform FrameUniforms {
   vec4 skyZenith;
   vec4 skyHorizon;
   vec4 sun;                // unit vector towards the sun
-  vec4 shadow;             // strength; least x and z of the shadow map, m; its edge, m
+  vec4 sunlight;           // radiance of a white surface that faces the sun
+  vec4 lightCorner;        // where the light map's first cell falls on the floor, m; strength of shadows
+  vec4 lightRight;         // from there along the map's rows to their end, m
+  vec4 lightDown;          // along its columns
   vec4 pictureSlopes;      // largest |W_x|, |W_y| of the picture
 } frame;
 

@@ -5,6 +5,9 @@ layout(std140, binding = 1) uniform LiquidUniforms {
   vec4 slopes;             // largest |W_x|, |W_y| of the thickness; of the surface
   vec4 nearDepth;          // depth before which surfaces are cut, m
   vec4 absorptionAndIndex; // 1/m; refractive index n
-  vec4 scatterAndGloss;    // colour; roughness of the highlight
-  vec4 colourAndSpecular;  // diffuse colour; strength of the highlight
+  vec4 scatterAndShift;    // light that a deep layer sends back; γ of the screen shift, heights of the picture per m
+  vec4 colourAndDiffuse;   // diffuse colour; share of Phong's diffuse part
+  vec4 gloss;              // roughness α, or Phong's exponent; strength of the highlight
+  vec4 emission;           // radiance
+  vec4 reflectance;        // of a metal at right angles
 } liquid;

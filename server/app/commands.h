@@ -17,7 +17,9 @@ void addRenderCommand(CLI::App& program, Command& chosen);
 void addSimulateCommand(CLI::App& program, Command& chosen);
 void addPlanCommand(CLI::App& program, Command& chosen);
 void addEvaluateCommand(CLI::App& program, Command& chosen);
+void addGalleryCommand(CLI::App& program, Command& chosen);
 void addScenesCommand(CLI::App& program, Command& chosen);
+void addLooksCommand(CLI::App& program, Command& chosen);
 void addParametersCommand(CLI::App& program, Command& chosen);
 
 }  // namespace sluice::app

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "json.h"
+#include "sluice/scene/looks.h"
 #include "sluice/scene/parameters.h"
 #include "sluice/scene/scene.h"
 
@@ -25,6 +26,26 @@ void addScenesCommand(CLI::App& program, Command& chosen) {
         }
       }
       if (*json) std::printf("%s\n", Json{{"scenes", list}}.dump().c_str());
+      return 0;
+    };
+  });
+}
+
+void addLooksCommand(CLI::App& program, Command& chosen) {
+  const auto json = std::make_shared<bool>(false);
+  CLI::App& verb = *program.add_subcommand("looks", "List the shipped looks, which look.preset takes");
+  verb.add_flag("--json", *json, "Print them as one JSON object");
+  verb.callback([json, &chosen] {
+    chosen = [json] {
+      Json list = Json::array();
+      for (const scene::ShippedLook& shipped : scene::shippedLooks()) {
+        if (*json) {
+          list.push_back({{"name", shipped.name}, {"description", shipped.description}});
+        } else {
+          std::printf("%-20s %s\n", shipped.name.c_str(), shipped.description.c_str());
+        }
+      }
+      if (*json) std::printf("%s\n", Json{{"looks", list}}.dump().c_str());
       return 0;
     };
   });

@@ -4,9 +4,27 @@
 #include "sluice/scene/scene.h"
 #include "sluice/sim/simulation.h"
 #include "sluice/sources/column_and_sheet.h"
+#include "sluice/sources/foam_source.h"
 #include "sluice/sources/particle_playback.h"
 
 namespace sluice::app {
+
+namespace {
+
+std::unique_ptr<core::ParticleSource> openLiquid(const v1::Scene& scene, int threads) {
+  switch (scene.source_case()) {
+    case v1::Scene::kSimulation:
+      return sim::makeSimulation(scene, threads);
+    case v1::Scene::kParticleFile:
+      return sources::openParticlePlayback(scene);
+    case v1::Scene::kColumnAndSheet:
+      return sources::openColumnAndSheet(scene);
+    default:
+      throw core::InputError("", "source", "the scene has no source of particles");
+  }
+}
+
+}  // namespace
 
 LiveScene loadScene(const std::string& nameOrPath, const std::vector<std::string>& assignments) {
   LiveScene live;
@@ -31,16 +49,8 @@ LiveScene loadScene(const std::string& nameOrPath, const std::vector<std::string
 }
 
 std::unique_ptr<core::ParticleSource> openSource(const v1::Scene& scene, int threads) {
-  switch (scene.source_case()) {
-    case v1::Scene::kSimulation:
-      return sim::makeSimulation(scene, threads);
-    case v1::Scene::kParticleFile:
-      return sources::openParticlePlayback(scene);
-    case v1::Scene::kColumnAndSheet:
-      return sources::openColumnAndSheet(scene);
-    default:
-      throw core::InputError("", "source", "the scene has no source of particles");
-  }
+  // Whether or not the scene has foam: a viewer may switch it on while the source runs.
+  return sources::withFoam(openLiquid(scene, threads), scene, threads);
 }
 
 }  // namespace sluice::app

@@ -50,7 +50,9 @@ int main(int argc, char** argv) {
   app::addSimulateCommand(program, chosen);
   app::addPlanCommand(program, chosen);
   app::addEvaluateCommand(program, chosen);
+  app::addGalleryCommand(program, chosen);
   app::addScenesCommand(program, chosen);
+  app::addLooksCommand(program, chosen);
   app::addParametersCommand(program, chosen);
 
   try {

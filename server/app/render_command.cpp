@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 
+#include "advance.h"
 #include "command_options.h"
 #include "commands.h"
 #include "json.h"
@@ -40,20 +42,6 @@ struct Shot {
   core::Camera camera;
   const v1::Scene* scene = nullptr;
 };
-
-/// Steps to the first state at or after `time`.
-void advanceTo(core::ParticleSource& source, double time) {
-  while (source.time() < time && source.advance()) {
-  }
-  if (!source.halted().empty()) throw core::EnvironmentError("the simulation halted: " + source.halted());
-}
-
-/// The present state under a number of its own, by which the renderer knows particles that it has seen.
-std::unique_ptr<core::ParticleSnapshot> takeSnapshot(const core::ParticleSource& source, std::uint64_t sequence) {
-  std::unique_ptr<core::ParticleSnapshot> snapshot = source.snapshot();
-  snapshot->sequence = sequence;
-  return snapshot;
-}
 
 core::Frame draw(render::FluidRenderer& renderer, const Shot& shot, const core::ParticleSnapshot& particles) {
   return renderer.render(particles, *shot.scene, shot.camera, shot.size);
@@ -120,7 +108,7 @@ int renderScene(const RenderOptions& options) {
   if (range) {
     drawSequence(renderer, shot, *source, *range, options.framesPerSecond, options.out);
   } else {
-    advanceTo(*source, options.time);
+    advanceTo(*source, options.time, live.scene, renderer);
   }
   const std::uint64_t drawn = range ? static_cast<std::uint64_t>(range->last - range->first) + 1 : 0;
   const std::unique_ptr<core::ParticleSnapshot> particles = takeSnapshot(*source, drawn + 1);

@@ -2,17 +2,8 @@
 
 namespace sluice::render {
 
-std::vector<std::string_view> CompositeVariant::defines() const {
-  std::vector<std::string_view> names;
-  if (opaque) names.emplace_back("OPAQUE");
-  if (specular) names.emplace_back("SPECULAR");
-  if (normals) names.emplace_back("NORMALS");
-  if (layered) names.emplace_back("LAYERED");
-  return names;
-}
-
 Resource sceneOf(const FrameContext& frame) {
-  const bool changed = frame.plan.runs(Pass::GroundShadow) || frame.plan.runs(Pass::GlassBehind) || frame.layer > 0;
+  const bool changed = frame.plan.runs(Pass::Sunlight) || frame.plan.runs(Pass::GlassBehind) || frame.layer > 0;
   return changed ? Resource::Scene : Resource::Background;
 }
 
@@ -36,8 +27,9 @@ void bindOtherSurfaces(const FrameContext& frame, const gl::Program& program) {
 }
 
 void CompositePass::run(const FrameContext& frame) {
-  const CompositeVariant variant{frame.look.liquid().opaque(), frame.look.liquid().physical().specular() > 0,
-                                 frame.scene.view().has_normals(), frame.plan.layers > 1};
+  CompositeVariant variant = compositeVariant(frame.look.liquid(), frame.scene, frame.plan.layers > 1);
+  variant.noise = frame.plan.buffer(Resource::Noise, frame.liquid) != nullptr;
+  variant.whitening = frame.plan.buffer(Resource::Violence, frame.liquid) != nullptr;
   auto program = programs_.find(variant);
   if (program == programs_.end()) {
     program = programs_.emplace(variant, shaders().program("picture.vert", "composite.frag", variant.defines())).first;
@@ -55,8 +47,10 @@ void CompositePass::run(const FrameContext& frame) {
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   bindTexture(frame, 0, Resource::Surface);
   bindTexture(frame, 1, scene);
-  if (!variant.opaque) bindTexture(frame, 2, Resource::Thickness);
+  if (variant.refraction != Refraction::None) bindTexture(frame, 2, Resource::Thickness);
+  if (variant.refraction == Refraction::TwoInterfaces) bindTexture(frame, 3, Resource::BackSurface);
   if (variant.layered) bindOtherSurfaces(frame, program->second);
+  if (variant.noise) bindNoise(frame, program->second);
   glUseProgram(program->second.name());
   drawPicture();
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "data_traits.h"
+#include "foam_dots.h"
 #include "frame_passes.h"
 #include "liquid_state.h"
 #include "liquid_uniforms.h"
@@ -14,6 +15,7 @@
 #include "sluice/core/input_error.h"
 #include "sluice/gl/pass_clock.h"
 #include "splat_target.h"
+#include "study_pass.h"
 
 namespace sluice::render {
 
@@ -45,9 +47,10 @@ class FluidRenderer::Impl {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maxEdge_);
   }
 
-  core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
+  core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& given, const core::Camera& camera,
                      core::ImageSize size) {
     checkSize(size);
+    const v1::Scene scene = forItsView(given);
     const ViewGeometry view = makeViewGeometry(camera, size);
     clock_.start();
     if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, view);
@@ -57,6 +60,12 @@ class FluidRenderer::Impl {
     std::vector<DataTraits> traits;
     for (std::size_t k = 0; k < liquids_.size(); ++k) traits.push_back(select(*liquids_[k], lookOf(scene, k), view));
     clock_.lap(name(Pass::SelectSplats));
+    foam_.clear();
+    if (scene.has_foam() && particles.diffuse.size() > 0) {
+      foam_ = makeFoamDots(particles.diffuse, scene, particles.spacing, view);
+      traits.front().foamDots = foam_.size();
+      clock_.lap("select foam");
+    }
     const FramePlan plan = planFrame(scene, size, traits, reuse(scene, camera, size), device_);
     plan_ = plan.describe();
     targets_.fit(plan);
@@ -64,7 +73,9 @@ class FluidRenderer::Impl {
     setUpGl();
     passes_.bindLights(scene);
     for (std::size_t k = 0; k < liquids_.size(); ++k) uploadSplats(plan, k, view);
-    castShadowIfNeeded(plan, particles, scene);
+    if (plan.runs(Pass::Sunlight)) light_.update(particles, scene, liquids_.size());
+    passes_.setLight(light_);
+    clock_.lap("light map");
     uploadUniforms(plan, scene, view);
     clock_.lap("upload");
     for (const PassStep& step : plan.steps) {
@@ -76,9 +87,17 @@ class FluidRenderer::Impl {
     cameraOf_ = camera;
     spacingOf_ = particles.spacing;
     bodiesOf_ = passes_.bodyChanges();
-    hasBackground_ = true;
+    hasBackground_ = plan.buffer(Resource::Background) != nullptr;
     hasPicture_ = true;
+    pictureSize_ = size;
     return finish(particles, size);
+  }
+
+  void follow(const core::ParticleSnapshot& particles, const v1::Scene& scene) {
+    takeParts(particles);
+    for (std::size_t k = 0; k < liquids_.size(); ++k) followViolence(*liquids_[k], lookOf(scene, k));
+    // Not owned where it is not split, and gone by the next frame.
+    if (liquids_.size() == 1) liquids_.front()->particles.reset();
   }
 
   FloatPicture smooth(const FloatPicture& surface, const v1::Look& given, double spacing, const core::Camera& camera) {
@@ -141,7 +160,7 @@ class FluidRenderer::Impl {
   bool isLastPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
                      core::ImageSize size) const {
     return hasPicture_ && particles.sequence != 0 && particles.sequence == sequence_ &&
-           particles.spacing == spacingOf_ && cameraOf_ == camera && targets_.size({Resource::Background}) == size &&
+           particles.spacing == spacingOf_ && cameraOf_ == camera && pictureSize_ == size &&
            same(sceneOf_, withoutSource(scene));
   }
 
@@ -151,8 +170,8 @@ class FluidRenderer::Impl {
   }
 
   ReuseTraits reuse(const v1::Scene& scene, const core::Camera& camera, core::ImageSize size) const {
-    return {hasBackground_ && targets_.size({Resource::Background}) == size && cameraOf_ == camera &&
-                sameSurroundings(scene) && passes_.bodyChanges() == bodiesOf_,
+    return {hasBackground_ && pictureSize_ == size && cameraOf_ == camera && sameSurroundings(scene) &&
+                passes_.bodyChanges() == bodiesOf_,
             hasBackground_ && passes_.bodyChanges() == bodiesOf_};
   }
 
@@ -172,6 +191,10 @@ class FluidRenderer::Impl {
     newParticles_ = particles.sequence == 0 || particles.sequence != sequence_ || liquids_.empty();
     sequence_ = particles.sequence;
     if (!newParticles_ && liquids_.size() > 1) return;
+    takeParts(particles);
+  }
+
+  void takeParts(const core::ParticleSnapshot& particles) {
     const auto parts = splitByFluid(particles);
     liquids_.resize(parts.size());
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -188,6 +211,14 @@ class FluidRenderer::Impl {
     liquid.scale = splatScale(look.splats(), spacing);
   }
 
+  static void followViolence(LiquidState& liquid, const v1::Look& look) {
+    if (look.has_noise()) {
+      liquid.marks.follow(*liquid.particles, look.noise());
+    } else {
+      liquid.marks = {};
+    }
+  }
+
   DataTraits select(LiquidState& liquid, const v1::Look& look, const ViewGeometry& view) {
     const core::ParticleSnapshot& particles = *liquid.particles;
     aim(liquid, look, view, particles.spacing);
@@ -196,10 +227,11 @@ class FluidRenderer::Impl {
       liquid.splatsOfModel = look.splats();
       clock_.lap("model splats");
     }
+    if (newParticles_) followViolence(liquid, look);
     const SplatScale& scale = liquid.scale;
     liquid.selection = selectSplats(particles.positions, liquid.model, view,
                                     {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels_});
-    return dataTraits(particles, liquid.selection, scale, view);
+    return dataTraits(particles, liquid.selection, scale, view, look);
   }
 
   void uploadSplats(const FramePlan& plan, std::size_t k, const ViewGeometry& view) {
@@ -246,30 +278,13 @@ class FluidRenderer::Impl {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   }
 
-  void castShadowIfNeeded(const FramePlan& plan, const core::ParticleSnapshot& particles, const v1::Scene& scene) {
-    bool isNew = false;
-    if (plan.runs(Pass::GroundShadow)) {
-      // Of these particles, and not of some that came while no shadow was in the picture.
-      if (newParticles_ || shadowSequence_ != sequence_ || !sameSurroundings(scene)) {
-        shadow_ =
-            castShadow(particles.positions, static_cast<float>(particles.spacing),
-                       static_cast<float>(scene.background().floor_height()), sunDirection(scene.lighting().sun()));
-        isNew = true;
-        shadowSequence_ = sequence_;
-      }
-    }
-    passes_.setShadow(shadow_, isNew);
-  }
-
   void uploadUniforms(const FramePlan& plan, const v1::Scene& scene, const ViewGeometry& view) {
     const auto upload = [&](gl::StreamBuffer& buffer, const auto& uniforms) {
       buffer.upload(std::as_bytes(std::span(&uniforms, 1)));
     };
     const auto frameUniforms = [&](const ViewGeometry& target) {
       FrameUniforms uniforms = makeFrameUniforms(target, view, scene);
-      uniforms.shadow[1] = shadow_.corner.x();
-      uniforms.shadow[2] = shadow_.corner.y();
-      uniforms.shadow[3] = shadow_.edge;
+      placeLightMap(uniforms, light_.map().grid);
       return uniforms;
     };
     upload(pictureUniforms_, frameUniforms(view));
@@ -290,6 +305,7 @@ class FluidRenderer::Impl {
             view,
             pictureUniforms_.name(),
             raster_,
+            foam_,
             LiquidTargets(targets_, step.liquid),
             step.liquid,
             step.layer,
@@ -303,7 +319,8 @@ class FluidRenderer::Impl {
             liquid.selection,
             liquid.splats,
             liquid.surfaceUniforms.name(),
-            liquid.liquidUniforms.name()};
+            liquid.liquidUniforms.name(),
+            liquid.marks.violence()};
   }
 
   void run(Pass pass, const FrameContext& frame) {
@@ -334,6 +351,7 @@ class FluidRenderer::Impl {
   FrameTargets targets_;
   std::vector<std::unique_ptr<LiquidState>> liquids_;
   SplatRaster raster_;
+  std::vector<FoamDot> foam_;  ///< Of the frame at hand.
   gl::StreamBuffer pictureUniforms_;
   core::Plan plan_;
 
@@ -345,8 +363,8 @@ class FluidRenderer::Impl {
   std::uint64_t bodiesOf_ = 0;  ///< Changes of the bodies until the last picture.
   bool hasBackground_ = false;
   bool hasPicture_ = false;
-  ShadowMap shadow_;
-  std::uint64_t shadowSequence_ = 0;
+  core::ImageSize pictureSize_;  ///< Of the last picture.
+  KeptLightMap light_;
 
   FramePasses passes_;
 };
@@ -359,6 +377,10 @@ FluidRenderer::~FluidRenderer() = default;
 core::Frame FluidRenderer::render(const core::ParticleSnapshot& particles, const v1::Scene& scene,
                                   const core::Camera& camera, core::ImageSize size) {
   return impl_->render(particles, scene, camera, size);
+}
+
+void FluidRenderer::follow(const core::ParticleSnapshot& particles, const v1::Scene& scene) {
+  impl_->follow(particles, scene);
 }
 
 FloatPicture FluidRenderer::readBuffer(Resource resource, std::size_t liquid) {

@@ -17,7 +17,7 @@ void beginTarget(const FrameContext& frame, Resource resource) {
   const core::ImageSize size = frame.targets.size(resource);
   glBindFramebuffer(GL_FRAMEBUFFER, frame.targets.framebuffer(resource));
   glViewport(0, 0, size.width, size.height);
-  const bool coarse = isSurface(resource) || resource == Resource::Liquid;
+  const bool coarse = isAsFineAsSurface(resource);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, coarse ? frame.surfaceUniforms : frame.pictureUniforms);
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, frame.liquidUniforms);
   glDisable(GL_BLEND);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "foam_dots.h"
 #include "frame_targets.h"
 #include "frame_uniforms.h"
 #include "liquid_state.h"
@@ -20,6 +23,7 @@ struct FrameContext {
   const ViewGeometry& view;  ///< Of the picture.
   GLuint pictureUniforms;    ///< The frame's uniforms of passes that draw into the picture.
   SplatRaster& raster;
+  std::span<const FoamDot> foam;
   LiquidTargets targets;
 
   // Of the liquid at hand:
@@ -36,6 +40,7 @@ struct FrameContext {
   SplatBuffers& splats;
   GLuint surfaceUniforms;  ///< The frame's uniforms of passes that draw into the surface, or the shaded liquid.
   GLuint liquidUniforms;
+  std::span<const float> violence;  ///< Of each particle, or empty: see NoiseMarks.
 
   const SurfacePlan& surface() const { return plan.surfaces[liquid]; }
 };

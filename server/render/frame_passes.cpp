@@ -25,8 +25,8 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return glass_.runBehind(frame, bodies_);
     case Pass::GlassBefore:
       return glass_.runBefore(frame, bodies_);
-    case Pass::GroundShadow:
-      return groundShadow_.run(frame, *shadow_, newShadow_);
+    case Pass::Sunlight:
+      return sunlight_.run(frame, *light_);
     case Pass::SelectSplats:
       return;
     case Pass::Splats:
@@ -43,7 +43,14 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return thickness_.runLarge(frame);
     case Pass::SmoothThickness:
       return smoothThickness_.run(frame);
+    case Pass::BackSplats:
+      return backSplats_.run(frame);
+    case Pass::BackSmoothing:
+      return smoothing_.runOnBack(frame);
+    case Pass::Noise:
+      return noise_.run(frame);
     case Pass::BeginPicture:
+      if (isStudy(frame.scene.view())) return beginStudy(frame);
       return copy(frame, sceneOf(frame), Resource::Picture);
     case Pass::ExtendScene:
       return copy(frame, Resource::Picture, Resource::Scene);
@@ -51,8 +58,18 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return composite_.run(frame);
     case Pass::BlendLiquid:
       return blendLiquid_.run(frame);
+    case Pass::VelocityMap:
+      return colourMap_.runVelocityMap(frame);
+    case Pass::ColourMap:
+      return colourMap_.runColourMap(frame);
+    case Pass::Study:
+      return study_.run(frame);
     case Pass::Spray:
       return spray_.run(frame);
+    case Pass::Foam:
+      return foam_.run(frame);
+    case Pass::BlendFoam:
+      return blendFoam_.run(frame);
     case Pass::ToneMap:
       pixels_ = toneMap_.run(frame);
       return;

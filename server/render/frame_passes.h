@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "body_passes.h"
+#include "colour_map_pass.h"
 #include "passes.h"
+#include "study_pass.h"
 
 namespace sluice::render {
 
@@ -17,11 +19,8 @@ class FramePasses {
   /// What the last tone map gave: 8-bit sRGB, RGBA, row by row from the top.
   std::vector<std::uint8_t> takePixels() { return std::move(pixels_); }
 
-  /// The shadow that the next ground shadow draws; `isNew` says that it has changed.
-  void setShadow(const ShadowMap& map, bool isNew) {
-    shadow_ = &map;
-    newShadow_ = isNew;
-  }
+  /// The light that falls on the scene of the frames to come.
+  void setLight(const KeptLightMap& light) { light_ = &light; }
 
   /// The bodies of the frames that follow, where they stand; `poses` as in core::ParticleSnapshot. Throws
   /// core::InputError where a mesh cannot be read.
@@ -39,19 +38,24 @@ class FramePasses {
   ClipThicknessPass clipThickness_;
   GlassPass glass_;
   BackgroundPass background_;
-  GroundShadowPass groundShadow_;
+  SunlightPass sunlight_;
   SplatsPass splats_;
   MaskPass mask_;
   SmoothingPass smoothing_;
   ThicknessPass thickness_;
   SmoothThicknessPass smoothThickness_;
+  BackSplatsPass backSplats_;
+  NoisePass noise_;
   CompositePass composite_;
   BlendLiquidPass blendLiquid_;
+  ColourMapPass colourMap_;
+  StudyPass study_;
   SprayPass spray_;
+  FoamPass foam_;
+  BlendFoamPass blendFoam_;
   ToneMapPass toneMap_;
 
-  const ShadowMap* shadow_ = nullptr;
-  bool newShadow_ = false;
+  const KeptLightMap* light_ = nullptr;
   std::vector<std::uint8_t> pixels_;
 };
 

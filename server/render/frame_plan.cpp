@@ -22,8 +22,8 @@ std::string_view name(Pass pass) {
       return "glass before";
     case Pass::Background:
       return "background";
-    case Pass::GroundShadow:
-      return "ground shadow";
+    case Pass::Sunlight:
+      return "sunlight";
     case Pass::SelectSplats:
       return "select splats";
     case Pass::Splats:
@@ -40,6 +40,12 @@ std::string_view name(Pass pass) {
       return "large thickness";
     case Pass::SmoothThickness:
       return "smooth thickness";
+    case Pass::BackSplats:
+      return "back splats";
+    case Pass::BackSmoothing:
+      return "back smoothing";
+    case Pass::Noise:
+      return "noise";
     case Pass::BeginPicture:
       return "begin picture";
     case Pass::ExtendScene:
@@ -48,8 +54,18 @@ std::string_view name(Pass pass) {
       return "composite";
     case Pass::BlendLiquid:
       return "blend liquid";
+    case Pass::VelocityMap:
+      return "velocity map";
+    case Pass::ColourMap:
+      return "colour map";
+    case Pass::Study:
+      return "study";
     case Pass::Spray:
       return "spray";
+    case Pass::Foam:
+      return "foam";
+    case Pass::BlendFoam:
+      return "blend foam";
     case Pass::ToneMap:
       return "tone map";
   }
@@ -62,8 +78,8 @@ std::string_view name(Resource resource) {
       return "particles";
     case Resource::SplatList:
       return "splat list";
-    case Resource::ShadowMap:
-      return "shadow map";
+    case Resource::LightMap:
+      return "light map";
     case Resource::BodyShadowMap:
       return "body shadow map";
     case Resource::BodySamples:
@@ -84,14 +100,28 @@ std::string_view name(Resource resource) {
       return "surface scratch 3";
     case Resource::SurfaceScratch4:
       return "surface scratch 4";
+    case Resource::BackSurface:
+      return "back surface";
+    case Resource::BackDepth:
+      return "back depth";
     case Resource::Stencil:
       return "stencil";
     case Resource::Thickness:
       return "thickness";
     case Resource::ThicknessScratch:
       return "thickness scratch";
+    case Resource::Noise:
+      return "noise";
+    case Resource::NoiseSums:
+      return "noise sums";
+    case Resource::Violence:
+      return "violence";
+    case Resource::Attribute:
+      return "attribute";
     case Resource::Liquid:
       return "liquid";
+    case Resource::Foam:
+      return "foam";
     case Resource::Picture:
       return "picture";
     case Resource::Screen:
@@ -101,7 +131,20 @@ std::string_view name(Resource resource) {
 }
 
 bool isSurface(Resource resource) {
-  return resource == Resource::Surface || std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
+  return resource == Resource::Surface || resource == Resource::BackSurface || resource == Resource::BackDepth ||
+         std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
+}
+
+bool isAsFineAsSurface(Resource resource) {
+  switch (resource) {
+    case Resource::Noise:
+    case Resource::NoiseSums:
+    case Resource::Violence:
+    case Resource::Liquid:
+      return true;
+    default:
+      return isSurface(resource);
+  }
 }
 
 bool isOfLiquid(Resource resource) {
@@ -110,15 +153,17 @@ bool isOfLiquid(Resource resource) {
     case Resource::Stencil:
     case Resource::Thickness:
     case Resource::ThicknessScratch:
-    case Resource::Liquid:
+    case Resource::Attribute:
       return true;
     default:
-      return isSurface(resource);
+      return isAsFineAsSurface(resource);
   }
 }
 
 std::uint64_t bytesPerPixel(PixelFormat format) {
   switch (format) {
+    case PixelFormat::Rgba32f:
+      return 16;
     case PixelFormat::Rgba16f:
       return 8;
     case PixelFormat::Rgba16fDepth32fTimes4:
@@ -210,7 +255,9 @@ Lifetime lifetimeOf(BufferId id, const std::vector<PassStep>& steps) {
     life.last = i;
   }
   const bool isResult = resource == Resource::Picture || resource == Resource::Screen ||
-                        resource == Resource::Surface || resource == Resource::Thickness;
+                        resource == Resource::Surface || resource == Resource::BackSurface ||
+                        resource == Resource::Thickness || resource == Resource::Noise ||
+                        resource == Resource::Violence || resource == Resource::Foam;
   if (isResult) life.last = steps.size();
   return life;
 }

@@ -11,6 +11,8 @@ namespace {
 
 GLenum internalFormat(PixelFormat format) {
   switch (format) {
+    case PixelFormat::Rgba32f:
+      return GL_RGBA32F;
     case PixelFormat::Rgba16f:
       return GL_RGBA16F;
     case PixelFormat::Srgb8Alpha8:
@@ -28,7 +30,7 @@ GLenum internalFormat(PixelFormat format) {
 /// Read between pixels: where light is looked up, and the thickness, which may be smaller than the picture.
 bool isInterpolated(Resource resource) {
   return resource == Resource::Background || resource == Resource::Scene || resource == Resource::Liquid ||
-         resource == Resource::Thickness;
+         resource == Resource::Thickness || resource == Resource::Attribute;
 }
 
 /// Drawn where the stencil says that there is liquid.

@@ -81,11 +81,22 @@ class LiquidTargets {
   std::span<float> startAnew(Resource resource) const { return targets_->startAnew(id(resource)); }
   void clearStencil() const { targets_->clearStencil(liquid_); }
 
+  /// The same, where `surface` stands for Resource::Surface.
+  LiquidTargets withSurface(Resource surface) const {
+    LiquidTargets targets = *this;
+    targets.surface_ = surface;
+    return targets;
+  }
+
  private:
-  BufferId id(Resource resource) const { return {resource, isOfLiquid(resource) ? liquid_ : std::uint8_t{0}}; }
+  BufferId id(Resource resource) const {
+    if (resource == Resource::Surface) resource = surface_;
+    return {resource, isOfLiquid(resource) ? liquid_ : std::uint8_t{0}};
+  }
 
   FrameTargets* targets_;
   std::uint8_t liquid_;
+  Resource surface_ = Resource::Surface;
 };
 
 }  // namespace sluice::render

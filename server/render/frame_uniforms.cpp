@@ -38,9 +38,26 @@ FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& pi
   u.skyZenith = pack(background.sky().zenith());
   u.skyHorizon = pack(background.sky().horizon());
   u.sun = pack(sunDirection(scene.lighting().sun()), 0.0F);
-  u.shadow = {static_cast<float>(scene.lighting().sun().shadow()), 0.0F, 0.0F, 0.0F};
+  const v1::Sun& sun = scene.lighting().sun();
+  const auto strength = static_cast<float>(sun.strength());
+  u.sunlight = {strength * static_cast<float>(sun.colour().x()), strength * static_cast<float>(sun.colour().y()),
+                strength * static_cast<float>(sun.colour().z()), 0.0F};
+  u.lightCorner = {0.0F, 0.0F, 0.0F, static_cast<float>(sun.shadow())};
   u.pictureSlopes = {picture.maxSlope.x(), picture.maxSlope.y(), 0.0F, 0.0F};
   return u;
+}
+
+void placeLightMap(FrameUniforms& uniforms, const LightGrid& grid) {
+  if (grid.cells() == 0) return;
+  const auto onFloor = [&](float x, float y) {
+    const Eigen::Vector2f place = grid.corner + grid.cell * Eigen::Vector2f(x, y);
+    const float depth = grid.axes.depthOfFloor(place.y(), uniforms.floorAndHaze[0]);
+    return Eigen::Vector3f(place.x() * grid.axes.right + place.y() * grid.axes.down + depth * grid.axes.along);
+  };
+  const Eigen::Vector3f corner = onFloor(0.0F, 0.0F);
+  uniforms.lightCorner = pack(corner, uniforms.lightCorner[3]);
+  uniforms.lightRight = pack(Eigen::Vector3f(onFloor(static_cast<float>(grid.width), 0.0F) - corner), 0.0F);
+  uniforms.lightDown = pack(Eigen::Vector3f(onFloor(0.0F, static_cast<float>(grid.height)) - corner), 0.0F);
 }
 
 }  // namespace sluice::render

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "light_view.h"
 #include "sluice/render/frame_plan.h"
 #include "sluice/v1/scene.pb.h"
 #include "view_geometry.h"
@@ -24,7 +25,10 @@ struct FrameUniforms {
   Vec4 skyZenith;
   Vec4 skyHorizon;
   Vec4 sun;
-  Vec4 shadow;
+  Vec4 sunlight;
+  Vec4 lightCorner;
+  Vec4 lightRight;
+  Vec4 lightDown;
   Vec4 pictureSlopes;
 };
 
@@ -41,8 +45,11 @@ SplatScale splatScale(const v1::Splats& splats, double spacing);
 /// Unit vector towards the sun.
 Eigen::Vector3f sunDirection(const v1::Sun& sun);
 
-/// Everything but the shadow map's place, which is left 0. `target` is the view that is drawn into, `picture` that of
+/// Everything but the light map's place, which is left 0. `target` is the view that is drawn into, `picture` that of
 /// the picture.
 FrameUniforms makeFrameUniforms(const ViewGeometry& target, const ViewGeometry& picture, const v1::Scene& scene);
+
+/// Fills in where a light map falls on the floor.
+void placeLightMap(FrameUniforms& uniforms, const LightGrid& grid);
 
 }  // namespace sluice::render

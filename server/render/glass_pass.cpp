@@ -80,7 +80,7 @@ const gl::Program& find(std::map<std::set<std::string_view>, gl::Program>& progr
 }  // namespace
 
 void GlassPass::runBehind(const FrameContext& frame, const BodyScene& bodies) {
-  if (!frame.plan.runs(Pass::GroundShadow)) copy(frame, Resource::Background, Resource::Scene);
+  if (!frame.plan.runs(Pass::Sunlight)) copy(frame, Resource::Background, Resource::Scene);
   draw(frame, bodies, Resource::Scene, false);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frame_uniforms.h"
+#include "noise_marks.h"
 #include "sluice/core/particle_snapshot.h"
 #include "sluice/gl/objects.h"
 #include "splat_buffers.h"
@@ -21,6 +22,7 @@ struct LiquidState {
   std::shared_ptr<const core::ParticleSnapshot> particles;
   SplatModel model;
   v1::Splats splatsOfModel;
+  NoiseMarks marks;
 
   // Of the frame at hand.
   ViewGeometry surfaceView;

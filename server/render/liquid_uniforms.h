@@ -18,8 +18,11 @@ struct LiquidUniforms {
   Vec4 slopes;
   Vec4 nearDepth;
   Vec4 absorptionAndIndex;
-  Vec4 scatterAndGloss;
-  Vec4 colourAndSpecular;
+  Vec4 scatterAndShift;
+  Vec4 colourAndDiffuse;
+  Vec4 gloss;
+  Vec4 emission;
+  Vec4 reflectance;
 };
 
 /// `surface` and `thickness` are the views of the liquid's two buffers.

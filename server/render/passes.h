@@ -7,8 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "composite_variant.h"
 #include "frame_context.h"
-#include "shadow_map.h"
+#include "kept_light_map.h"
+#include "noise_programs.h"
+#include "noise_raster.h"
 #include "sluice/render/fluid_renderer.h"
 #include "smoothing/smoothing_method.h"
 #include "splat_target.h"
@@ -29,17 +32,19 @@ class BackgroundPass {
   std::map<std::pair<bool, bool>, gl::Program> floors_;  ///< By whether bodies shade it, and lamps light it.
 };
 
-/// Copies the background into the scene and darkens the floor there.
-class GroundShadowPass {
+/// Copies the background into the scene and puts the sunlight right that meets the floor behind liquid.
+class SunlightPass {
  public:
-  GroundShadowPass();
-  /// `map` is where the shadow lies; `isNew` says that its content has changed since the last call.
-  void run(const FrameContext& frame, const ShadowMap& map, bool isNew);
+  SunlightPass();
+  void run(const FrameContext& frame, const KeptLightMap& light);
 
  private:
-  gl::Program clear_;
-  gl::Program opaque_;
+  void upload(const LightMap& map);
+
+  gl::Program program_;
   gl::Texture texture_;
+  core::ImageSize size_;
+  std::uint64_t version_ = 0;  ///< Of the map in the texture.
 };
 
 /// Splats the depth of the particles' spheres, or what the look has instead: points on the CPU where that is what draws
@@ -85,24 +90,39 @@ class MaskPass {
   std::optional<gl::Program> withBodies_;
 };
 
+/// The farthest side of the liquid's splats.
+class BackSplatsPass {
+ public:
+  void run(const FrameContext& frame);
+
+ private:
+  void draw(const FrameContext& frame, Resource depth, bool large);
+
+  SplatPrograms programs_{"back_splats.frag"};
+  std::optional<gl::Program> invert_;
+};
+
 /// Whatever method the look chooses; each is made when it is first used.
 class SmoothingPass {
  public:
   void run(const FrameContext& frame);
+  /// The same for the back of the liquid.
+  void runOnBack(const FrameContext& frame);
 
  private:
   std::map<v1::Smoothing::MethodCase, std::unique_ptr<SmoothingMethod>> methods_;
 };
 
-/// Which parts of the composite's shader a scene needs.
-struct CompositeVariant {
-  bool opaque = false;
-  bool specular = false;
-  bool normals = false;
-  bool layered = false;
+/// Noise that goes with the particles, over the smoothed surface [vdL09, section 3.4], and how violent they are.
+class NoisePass {
+ public:
+  void run(const FrameContext& frame);
 
-  auto operator<=>(const CompositeVariant&) const = default;
-  std::vector<std::string_view> defines() const;
+ private:
+  void drawOnDevice(const FrameContext& frame, std::span<const NoiseSprite> sprites, float fallOff);
+
+  NoiseRaster raster_;
+  std::optional<NoisePrograms> onDevice_;
 };
 
 /// The liquid over the scene, or where it is coarser than the picture, by itself.
@@ -134,6 +154,28 @@ class SprayPass {
   std::map<std::vector<std::string_view>, gl::Program> programs_;  ///< By what may hide it.
 };
 
+/// Adds up the optical depth of spray, foam and bubbles: on the CPU where that is what draws anyway.
+class FoamPass {
+ public:
+  FoamPass();
+  void run(const FrameContext& frame);
+
+ private:
+  std::optional<gl::Program> program_;
+  gl::StreamBuffer buffer_;
+  gl::VertexArray array_;
+};
+
+/// Foam over the picture.
+class BlendFoamPass {
+ public:
+  BlendFoamPass();
+  void run(const FrameContext& frame) const;
+
+ private:
+  gl::Program program_;
+};
+
 /// From the picture's light to what a screen shows.
 class ToneMapPass {
  public:
@@ -150,7 +192,10 @@ class ToneMapPass {
 /// Binds the surfaces of the frame's other liquids for layers.glsl.
 void bindOtherSurfaces(const FrameContext& frame, const gl::Program& program);
 
-/// The scene under the liquid: with its shadow where it has one.
+/// Binds noise and violence for surface_noise.glsl, and what it has to know of them.
+void bindNoise(const FrameContext& frame, const gl::Program& program);
+
+/// The scene under the liquid: in the sunlight that the liquid lets through.
 Resource sceneOf(const FrameContext& frame);
 
 }  // namespace sluice::render

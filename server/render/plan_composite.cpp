@@ -1,3 +1,4 @@
+#include "composite_variant.h"
 #include "planner.h"
 
 namespace sluice::render {
@@ -28,10 +29,12 @@ void Planner::planComposites() {
 void Planner::planComposite(int layer) {
   const v1::Liquid& liquid = look().liquid();
   std::vector<Resource> reads{sceneUnderLiquid(), Resource::Surface, Resource::Stencil};
-  if (!liquid.opaque()) reads.push_back(Resource::Thickness);
-  if (layer == 0 && liquid.physical().specular() <= 0) {
-    leaveOut("specular highlight", "look.liquid.physical.specular is 0");
+  if (!isOpaque(liquid)) reads.push_back(Resource::Thickness);
+  if (refractionOf(liquid) == Refraction::TwoInterfaces) reads.push_back(Resource::BackSurface);
+  for (const Resource noise : {Resource::Noise, Resource::Violence}) {
+    if (plan_.buffer(id(noise)) != nullptr) reads.push_back(noise);
   }
+  if (layer == 0) leaveOutOptics();
   if (look().smoothing().divisor() == 1) {
     run(Pass::Composite, std::string(name(Pass::Composite)), reads, {Resource::Picture}, 1, layer);
     if (layer == 0) leaveOut(Pass::BlendLiquid, "the liquid is as fine as the picture");
@@ -41,14 +44,25 @@ void Planner::planComposite(int layer) {
     run(Pass::BlendLiquid, std::string(name(Pass::BlendLiquid)), {sceneUnderLiquid(), Resource::Liquid},
         {Resource::Picture}, 1, layer);
   }
+  planVelocityMap(layer);
+  planColourMap(layer);
+}
+
+void Planner::leaveOutOptics() {
+  const v1::Liquid& liquid = look().liquid();
+  const v1::Lighting& lighting = scene_.lighting();
+  if (!hasHighlight(liquid, lighting)) {
+    const char* const specular =
+        liquid.has_phong() ? "look.liquid.phong.specular is 0" : "look.liquid.physical.specular is 0";
+    leaveOut("specular highlight", lighting.sun().strength() > 0 ? specular : "lighting.sun.strength is 0");
+  }
+  if (liquid.has_no_reflection()) leaveOut("reflection", "look.liquid.no_reflection is chosen");
 }
 
 void Planner::planSpray() {
   for (std::size_t k = 0; k < liquids_.size(); ++k) {
     forLiquid(k);
-    if (scene_.view().has_normals()) {
-      leaveOut(Pass::Spray, "drops are no part of the surface that is shown");
-    } else if (traits().sprayDrops > 0) {
+    if (traits().sprayDrops > 0) {
       beginPicture();
       std::vector<Resource> reads{Resource::Particles, Resource::SplatList};
       if (traits().splats() > 0) reads.push_back(Resource::Surface);

@@ -1,3 +1,5 @@
+#include "frame_uniforms.h"
+#include "kept_light_map.h"
 #include "planner.h"
 
 namespace sluice::render {
@@ -13,17 +15,33 @@ void Planner::planBackground() {
   }
 }
 
-void Planner::planGroundShadow() {
-  if (liquidsWithSplats() == 0 && !anySpray()) return;
-  if (!scene_.background().floor()) {
-    leaveOut(Pass::GroundShadow, "there is no floor");
-  } else if (scene_.lighting().sun().shadow() <= 0) {
-    leaveOut(Pass::GroundShadow, "lighting.sun.shadow is 0");
+void Planner::planSunlight() {
+  const v1::Sun& sun = scene_.lighting().sun();
+  if (liquidsWithSplats() == 0 && !anySpray()) {
+    leaveOut(Pass::Sunlight, "no liquid is in the picture");
+  } else if (!scene_.background().floor()) {
+    leaveOut(Pass::Sunlight, "there is no floor");
+  } else if (sun.strength() <= 0) {
+    leaveOut(Pass::Sunlight, "lighting.sun.strength is 0");
+  } else if (sunDirection(sun).y() < LightMapper::kLeastRise) {
+    leaveOut(Pass::Sunlight, "the sun is at the horizon or below");
+  } else if (sun.shadow() <= 0) {
+    leaveOut(Pass::Sunlight, "lighting.sun.shadow is 0");
   } else {
     hasScene_ = true;
     allocate(Resource::Scene, PixelFormat::Rgba16f, size_);
-    run(Pass::GroundShadow, {Resource::Particles, Resource::Background}, {Resource::ShadowMap, Resource::Scene});
+    run(Pass::Sunlight, {Resource::Particles, Resource::Background}, {Resource::LightMap, Resource::Scene});
+    planCaustics();
   }
+}
+
+void Planner::planCaustics() {
+  if (scene_.lighting().sun().caustics() <= 0) return leaveOut("caustics", "lighting.sun.caustics is 0");
+  for (std::size_t k = 0; k < liquids_.size(); ++k) {
+    const v1::Liquid& liquid = lookOf(scene_, k).liquid();
+    if (!castsFullShadow(liquid) && liquid.refractive_index() > 1) return;
+  }
+  leaveOut("caustics", "no liquid lets light through and refracts it");
 }
 
 }  // namespace sluice::render

@@ -2,6 +2,7 @@
 #include <iterator>
 #include <span>
 
+#include "composite_variant.h"
 #include "interior_particles.h"
 #include "planner.h"
 #include "smoothing/smoothing_method.h"
@@ -12,6 +13,8 @@ void Planner::planSurface() {
   planSplats();
   planSmoothing();
   planThickness();
+  if (!isStudy(scene_.view())) planBackSurface();
+  if (!isStudy(scene_.view()) || scene_.view().has_noise()) planNoise();
 }
 
 void Planner::planSplats() {
@@ -53,6 +56,12 @@ void Planner::planMask() {
 
 void Planner::planSmoothing() {
   const v1::Smoothing& smoothing = look().smoothing();
+  const v1::View& view = scene_.view();
+  if (view.has_raw_depth() || view.has_spheres() || view.has_points()) {
+    leaveOut("smoothing", "the view shows the splats as they are");
+    planMask();
+    return;
+  }
   if (smoothing.time() <= 0) {
     leaveOut("smoothing", "look.smoothing.time is 0");
     planMask();
@@ -90,9 +99,14 @@ void Planner::planSmoothing() {
 }
 
 void Planner::planThickness() {
-  if (look().liquid().opaque()) {
-    leaveOut(Pass::Thickness, "the liquid is opaque");
-    leaveOut("refraction", "the liquid is opaque");
+  if (isStudy(scene_.view()) && !scene_.view().has_thickness()) {
+    leaveOut(Pass::Thickness, "the view does not show it");
+    return;
+  }
+  if (isOpaque(look().liquid()) && !scene_.view().has_thickness()) {
+    const char* const reason = look().liquid().has_metal() ? "the liquid is a metal" : "the liquid is opaque";
+    leaveOut(Pass::Thickness, reason);
+    leaveOut("refraction", reason);
     return;
   }
   allocate(Resource::Thickness, PixelFormat::R32f, thicknessSize());
@@ -110,7 +124,7 @@ void Planner::planThickness() {
   } else {
     leaveOut(Pass::SmoothThickness, "look.thickness.smoothing_in_spacings is 0");
   }
-  if (hasBodies()) run(Pass::ClipThickness, {Resource::Surface, Resource::SceneDepth}, {Resource::Thickness});
+  if (hasBodies() && !isStudy(scene_.view())) run(Pass::ClipThickness, {Resource::Surface, Resource::SceneDepth}, {Resource::Thickness});
 }
 
 }  // namespace sluice::render

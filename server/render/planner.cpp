@@ -20,10 +20,16 @@ FramePlan Planner::plan() {
     return std::move(plan_);
   }
   plan_.layers = std::max(1, static_cast<int>(liquidsWithSplats()));
+  if (isStudy(scene_.view())) {
+    forEachLiquid([&] { planSurface(); });
+    planStudies();
+    planToneMap();
+    return std::move(plan_);
+  }
   planBodyShadow();
   planBackground();
   planBodies();
-  planGroundShadow();
+  planSunlight();
   if (liquidsWithSplats() == 0) {
     leaveOut("liquid", "no particle is in the picture");
     if (anySpray()) run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});
@@ -35,6 +41,7 @@ FramePlan Planner::plan() {
     planBodyEdges();
   }
   planSpray();
+  planFoam();
   planGlassBefore();
   planToneMap();
   return std::move(plan_);

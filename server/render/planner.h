@@ -22,7 +22,8 @@ class Planner {
  private:
   // plan_scene.cpp
   void planBackground();
-  void planGroundShadow();
+  void planSunlight();
+  void planCaustics();
   // plan_bodies.cpp
   bool hasBodies() const;
   bool hasGlass() const;
@@ -37,12 +38,25 @@ class Planner {
   void planMask();
   void planSmoothing();
   void planThickness();
+  // plan_back_surface.cpp
+  void planBackSurface();
+  // plan_noise.cpp
+  void planNoise();
+  // plan_colour_map.cpp
+  void planVelocityMap(int layer);
+  void planColourMap(int layer);
+  void planMap(Pass pass, const std::string& missing, int layer);
+  // plan_study.cpp
+  void planStudies();
   // plan_composite.cpp
   void beginPicture();
   void planComposites();
   void planComposite(int layer);
+  void leaveOutOptics();
   void planSpray();
   void planToneMap();
+  // plan_foam.cpp
+  void planFoam();
 
   /// For what is not about one liquid.
   void forTheScene() { liquid_ = 0; }
@@ -63,7 +77,8 @@ class Planner {
   core::ImageSize thicknessSize() const { return dividedSize(size_, look().thickness().divisor()); }
   std::size_t liquidsWithSplats() const;
   bool anySpray() const;
-  /// The scene under the liquid: with its shadow where it has one.
+  std::size_t foamDots() const { return liquids_.empty() ? 0 : liquids_.front().foamDots; }
+  /// The scene under the liquid: in the sunlight that the liquid lets through.
   Resource sceneUnderLiquid() const { return hasScene_ ? Resource::Scene : Resource::Background; }
 
   /// Resources of the liquid at hand, or of the frame.

@@ -18,4 +18,10 @@ void SmoothingPass::run(const FrameContext& frame) {
   method->run(frame);
 }
 
+void SmoothingPass::runOnBack(const FrameContext& frame) {
+  FrameContext back = frame;
+  back.targets = frame.targets.withSurface(Resource::BackSurface);
+  run(back);
+}
+
 }  // namespace sluice::render

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "splat_rows.h"
@@ -47,55 +48,38 @@ void SplatRaster::bin(std::span<const Splat> splats, const ViewGeometry& target)
         low(centre.y() - half.y() - 0.5F, height), low(centre.y() + half.y() + 0.5F, height)};
   }
 
-  const auto strips = static_cast<std::size_t>((target.size.height + kStripRows - 1) / kStripRows);
-  stripStart_.assign(strips + 1, 0);
-  const auto forEachMet = [&](auto&& action) {
-    for (std::size_t i = 0; i < bounds_.size(); ++i) {
-      const Bounds& box = bounds_[i];
-      if (box.left >= box.right || box.top >= box.bottom) continue;
-      for (int s = box.top / kStripRows; s <= (box.bottom - 1) / kStripRows; ++s) {
-        action(static_cast<std::size_t>(s), static_cast<std::uint32_t>(i));
-      }
-    }
-  };
-  forEachMet([&](std::size_t strip, std::uint32_t) { ++stripStart_[strip + 1]; });
-  for (std::size_t s = 0; s < strips; ++s) stripStart_[s + 1] += stripStart_[s];
-  order_.resize(stripStart_[strips]);
-  std::vector<std::uint32_t> next(stripStart_.begin(), stripStart_.end() - 1);
-  forEachMet([&](std::size_t strip, std::uint32_t i) { order_[next[strip]++] = i; });
+  bins_.fill(bounds_, target.size.height, kStripRows);
 }
 
 /// Calls `drawStrip(splats met, first row, last row, row)` for each strip, where `row(y)` is its own memory of zeros.
 template <class DrawStrip>
-void SplatRaster::forEachStrip(const ViewGeometry& target, const DrawStrip& drawStrip) {
-  const auto strips = static_cast<int>(stripStart_.size()) - 1;
+void SplatRaster::forEachStrip(const ViewGeometry& target, float empty, const DrawStrip& drawStrip) {
   const std::size_t stride = static_cast<std::size_t>(target.size.width) + kSplatBlock;
 #pragma omp parallel
   {
     std::vector<float> pixels(stride * kStripRows);
 #pragma omp for schedule(dynamic)
-    for (int s = 0; s < strips; ++s) {
-      const auto first = stripStart_[static_cast<std::size_t>(s)];
-      const auto last = stripStart_[static_cast<std::size_t>(s) + 1];
-      if (first == last) continue;
+    for (int s = 0; s < bins_.strips(); ++s) {
+      if (bins_.met(s).empty()) continue;
       const int top = s * kStripRows;
       const int bottom = std::min(top + kStripRows, target.size.height);
-      std::ranges::fill(pixels, 0.0F);
+      std::ranges::fill(pixels, empty);
       const auto row = [&](int y) { return pixels.data() + stride * static_cast<std::size_t>(y - top); };
-      drawStrip(std::span(order_).subspan(first, last - first), top, bottom, row);
+      drawStrip(bins_.met(s), top, bottom, row);
     }
   }
 }
 
 /// `drawRows(widened splat, rows)` draws one splat, where `rows(action)` calls `action(slope of the row, slopes,
-/// pixels, count)` for every row of it; `finishRow(y, pixels)` then puts a row drawn by all of them into the picture.
+/// pixels, count)` for every row of it, in pixels that start as `empty`; `finishRow(y, pixels)` then puts a row drawn
+/// by all of them into the picture.
 template <class Splat, class DrawRows, class FinishRow>
-void SplatRaster::draw(std::span<const Splat> splats, const ViewGeometry& target, const DrawRows& drawRows,
+void SplatRaster::draw(std::span<const Splat> splats, const ViewGeometry& target, float empty, const DrawRows& drawRows,
                        const FinishRow& finishRow) {
   bin(splats, target);
-  forEachStrip(target, [&](std::span<const std::uint32_t> met, int top, int bottom, const auto& row) {
+  forEachStrip(target, empty, [&](std::span<const std::uint32_t> met, int top, int bottom, const auto& row) {
     for (const std::uint32_t index : met) {
-      const Bounds& box = bounds_[index];
+      const PixelBounds& box = bounds_[index];
       drawRows(widened(splats[index], target.pixelSlope), [&](const auto& drawRow) {
         for (int y = std::max<int>(box.top, top); y < std::min<int>(box.bottom, bottom); ++y) {
           drawRow(rowSlope(target, y), columnSlopes_.data() + box.left, row(y) + box.left, box.right - box.left);
@@ -110,9 +94,20 @@ template <class Splat, class DrawRows>
 void SplatRaster::drawFronts(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> q,
                              const DrawRows& drawRows) {
   const auto width = static_cast<std::size_t>(target.size.width);
-  draw(splats, target, drawRows, [&](int y, const float* drawn) {
+  draw(splats, target, 0.0F, drawRows, [&](int y, const float* drawn) {
     float* const pixels = q.data() + width * static_cast<std::size_t>(y);
     for (std::size_t x = 0; x < width; ++x) pixels[x] = std::max(pixels[x], drawn[x]);
+  });
+}
+
+template <class Splat, class DrawRows>
+void SplatRaster::drawBacks(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> z,
+                            const DrawRows& drawRows) {
+  const auto width = static_cast<std::size_t>(target.size.width);
+  // A pixel without splats is endlessly near, at inverse depth ∞, and so at depth 0 in the end.
+  draw(splats, target, std::numeric_limits<float>::infinity(), drawRows, [&](int y, const float* drawn) {
+    float* const pixels = z.data() + width * static_cast<std::size_t>(y);
+    for (std::size_t x = 0; x < width; ++x) pixels[x] = std::max(pixels[x], 1.0F / drawn[x]);
   });
 }
 
@@ -120,7 +115,7 @@ template <class Splat, class DrawRows>
 void SplatRaster::drawChords(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> thickness,
                              const DrawRows& drawRows) {
   const auto width = static_cast<std::size_t>(target.size.width);
-  draw(splats, target, drawRows, [&](int y, const float* sum) {
+  draw(splats, target, 0.0F, drawRows, [&](int y, const float* sum) {
     finishChords(sum, columnSlopes_.data(), rowSlope(target, y), thickness.data() + width * static_cast<std::size_t>(y),
                  target.size.width);
   });
@@ -151,6 +146,36 @@ void SplatRaster::drawDepth(std::span<const ViewEllipsoid> ellipsoids, const Vie
     const float rim = rimOf(rays, rimDepth);
     rows([&](float slopeY, const float* slopes, float* pixels, int count) {
       drawDepthRow(rays, ellipsoid, rim, slopeY, slopes, pixels, count);
+    });
+  });
+}
+
+void SplatRaster::drawBackDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, float rimDepth,
+                                std::span<float> z) {
+  drawBacks(spheres, target, z, [&](const ViewSphere& sphere, const auto& rows) {
+    const float rim = backRimOf(sphere, rimDepth);
+    rows([&](float slopeY, const float* slopes, float* pixels, int count) {
+      drawBackRow(sphere, rim, slopeY, slopes, pixels, count);
+    });
+  });
+}
+
+void SplatRaster::drawBackDepth(std::span<const ViewEllipsoid> ellipsoids, const ViewGeometry& target, float rimDepth,
+                                std::span<float> z) {
+  drawBacks(ellipsoids, target, z, [&](const ViewEllipsoid& ellipsoid, const auto& rows) {
+    const EllipsoidRays rays(ellipsoid);
+    const float rim = backRimOf(rays, rimDepth);
+    rows([&](float slopeY, const float* slopes, float* pixels, int count) {
+      drawBackRow(rays, ellipsoid, rim, slopeY, slopes, pixels, count);
+    });
+  });
+}
+
+void SplatRaster::drawDiscBackDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target,
+                                    std::span<float> z) {
+  drawBacks(spheres, target, z, [](const ViewSphere& sphere, const auto& rows) {
+    rows([&](float slopeY, const float* slopes, float* pixels, int count) {
+      drawDiscBackRow(sphere, slopeY, slopes, pixels, count);
     });
   });
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "strip_bins.h"
 #include "view_splats.h"
 
 namespace sluice::render {
@@ -23,6 +24,13 @@ class SplatRaster {
   /// The same for discs about the spheres' centres, parallel to the picture.
   void drawDiscDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, std::span<float> q);
 
+  /// The farthest sides: z = the largest depth at which a line of sight leaves a splat, m, or 0 where there is none.
+  void drawBackDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, float rimDepth,
+                     std::span<float> z);
+  void drawBackDepth(std::span<const ViewEllipsoid> ellipsoids, const ViewGeometry& target, float rimDepth,
+                     std::span<float> z);
+  void drawDiscBackDepth(std::span<const ViewSphere> spheres, const ViewGeometry& target, std::span<float> z);
+
   /// thickness += κ·(length of the line of sight inside) for every splat, where κ is a particle's volume, m³, over the
   /// splat's.
   void drawThickness(std::span<const ViewSphere> spheres, const ViewGeometry& target, float particleVolume,
@@ -31,17 +39,16 @@ class SplatRaster {
                      std::span<float> thickness);
 
  private:
-  struct Bounds {
-    std::int16_t left, right, top, bottom;  ///< Pixels [left, right) × [top, bottom).
-  };
-
   template <class Splat>
   void bin(std::span<const Splat> splats, const ViewGeometry& target);
   template <class DrawStrip>
-  void forEachStrip(const ViewGeometry& target, const DrawStrip& drawStrip);
+  void forEachStrip(const ViewGeometry& target, float empty, const DrawStrip& drawStrip);
   template <class Splat, class DrawRows, class FinishRow>
-  void draw(std::span<const Splat> splats, const ViewGeometry& target, const DrawRows& drawRows,
+  void draw(std::span<const Splat> splats, const ViewGeometry& target, float empty, const DrawRows& drawRows,
             const FinishRow& finishRow);
+  template <class Splat, class DrawRows>
+  void drawBacks(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> z,
+                 const DrawRows& drawRows);
   template <class Splat, class DrawRows>
   void drawFronts(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> q,
                   const DrawRows& drawRows);
@@ -49,9 +56,8 @@ class SplatRaster {
   void drawChords(std::span<const Splat> splats, const ViewGeometry& target, std::span<float> thickness,
                   const DrawRows& drawRows);
 
-  std::vector<Bounds> bounds_;
-  std::vector<std::uint32_t> stripStart_;  ///< Strip s holds order_[stripStart_[s]] to order_[stripStart_[s + 1]].
-  std::vector<std::uint32_t> order_;
+  std::vector<PixelBounds> bounds_;
+  StripBins bins_;
   std::vector<float> columnSlopes_;  ///< W_x of every column, padded by a block.
 };
 

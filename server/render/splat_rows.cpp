@@ -72,6 +72,9 @@ struct EllipsoidRow {
   return a - s * s - t * t - u * u;
 }
 
+/// Large, and yet times any m finite.
+constexpr float kNoBackRim = 1e30F;
+
 }  // namespace
 
 float rimOf(const ViewSphere& sphere, float rimDepth) {
@@ -86,6 +89,16 @@ float rimOf(const EllipsoidRays& rays, float rimDepth) {
   return rimDepth > 0.0F ? 1.0F / (squared - rimDepth * std::sqrt(squared)) : 0.0F;
 }
 
+float backRimOf(const ViewSphere& sphere, float rimDepth) {
+  const float squared = sphere.x * sphere.x + sphere.y * sphere.y + sphere.z * sphere.z;
+  return rimDepth > 0.0F ? 1.0F / (squared + rimDepth * sphere.radius * std::sqrt(squared)) : kNoBackRim;
+}
+
+float backRimOf(const EllipsoidRays& rays, float rimDepth) {
+  const float squared = rays.room + 1.0F;
+  return rimDepth > 0.0F ? 1.0F / (squared + rimDepth * std::sqrt(squared)) : kNoBackRim;
+}
+
 SLUICE_SIMD_CLONES void drawDepthRow(const ViewSphere& sphere, float rim, float slopeY, const float* __restrict slopes,
                                      float* __restrict q, int count) {
   const SphereRow row = sphereRow(sphere, slopeY);
@@ -97,6 +110,55 @@ SLUICE_SIMD_CLONES void drawDepthRow(const ViewSphere& sphere, float rim, float 
       const float root = std::sqrt(std::max(d, 0.0F));
       const float middle = row.rowMiddle + row.cx * slopes[i];
       q[i] = std::max(q[i], d >= 0.0F ? std::max((middle + root) * inverse, middle * rim) : 0.0F);
+    }
+  }
+}
+
+SLUICE_SIMD_CLONES void drawBackRow(const ViewSphere& sphere, float rim, float slopeY, const float* __restrict slopes,
+                                    float* __restrict q, int count) {
+  const SphereRow row = sphereRow(sphere, slopeY);
+  const float inverse = 1.0F / (row.cx * row.cx + row.cy * row.cy + row.cz * row.cz - row.squaredRadius);
+  for (int first = 0; first < count; first += kSplatBlock) {
+#pragma GCC ivdep
+    for (int i = first; i < first + kSplatBlock; ++i) {
+      const float d = discriminant(row, slopes[i]);
+      const float root = std::sqrt(std::max(d, 0.0F));
+      const float middle = row.rowMiddle + row.cx * slopes[i];
+      const float back = std::min((middle - root) * inverse, middle * rim);
+      q[i] = d >= 0.0F ? std::min(q[i], back) : q[i];
+    }
+  }
+}
+
+SLUICE_SIMD_CLONES void drawBackRow(const EllipsoidRays& rays, const ViewEllipsoid& ellipsoid, float rim, float slopeY,
+                                    const float* __restrict slopes, float* __restrict q, int count) {
+  const EllipsoidRow row = ellipsoidRow(rays, ellipsoid, slopeY);
+  const float inverse = 1.0F / rays.room;
+  for (int first = 0; first < count; first += kSplatBlock) {
+#pragma GCC ivdep
+    for (int i = first; i < first + kSplatBlock; ++i) {
+      const float x = slopes[i];
+      const float d = discriminant(row, x, squaredLength(row, x));
+      const float root = std::sqrt(std::max(d, 0.0F));
+      const float middle = row.m0 + row.m1 * x;
+      const float back = std::min((middle - root) * inverse, middle * rim);
+      q[i] = d >= 0.0F ? std::min(q[i], back) : q[i];
+    }
+  }
+}
+
+SLUICE_SIMD_CLONES void drawDiscBackRow(const ViewSphere& sphere, float slopeY, const float* __restrict slopes,
+                                        float* __restrict q, int count) {
+  const float ey = sphere.y - sphere.z * slopeY;
+  const float room = sphere.radius * sphere.radius - ey * ey;
+  const float depth = sphere.z;
+  const float x = sphere.x;
+  const float inverse = 1.0F / depth;
+  for (int first = 0; first < count; first += kSplatBlock) {
+#pragma GCC ivdep
+    for (int i = first; i < first + kSplatBlock; ++i) {
+      const float ex = x - depth * slopes[i];
+      q[i] = ex * ex <= room ? std::min(q[i], inverse) : q[i];
     }
   }
 }

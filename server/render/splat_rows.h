@@ -28,6 +28,18 @@ float rimOf(const EllipsoidRays& rays, float rimDepth);
 void drawDepthRow(const ViewSphere& sphere, float rim, float slopeY, const float* slopes, float* q, int count);
 void drawChordRow(const ViewSphere& sphere, float weight, float slopeY, const float* slopes, float* sum, int count);
 
+/// The farthest sides of splats as inverse depth: the smaller of what is there and (c·(W, 1) − √D) / (|c|² − R²). `rim`
+/// is that of backRimOf, than which no splat's back is nearer.
+void drawBackRow(const ViewSphere& sphere, float rim, float slopeY, const float* slopes, float* q, int count);
+void drawBackRow(const EllipsoidRays& rays, const ViewEllipsoid& ellipsoid, float rim, float slopeY,
+                 const float* slopes, float* q, int count);
+void drawDiscBackRow(const ViewSphere& sphere, float slopeY, const float* slopes, float* q, int count);
+
+/// The flat rim of a splat's back, see rimOf: the plane `rimDepth` radii *behind* the centre. For a depth of 0 a plane
+/// before everything, which cuts nothing off.
+float backRimOf(const ViewSphere& sphere, float rimDepth);
+float backRimOf(const EllipsoidRays& rays, float rimDepth);
+
 /// See EllipsoidRays.
 void drawDepthRow(const EllipsoidRays& rays, const ViewEllipsoid& ellipsoid, float rim, float slopeY,
                   const float* slopes, float* q, int count);

@@ -8,6 +8,7 @@
 #include "field_path.h"
 #include "names.h"
 #include "sluice/core/input_error.h"
+#include "sluice/scene/looks.h"
 #include "sluice/scene/scene.h"
 
 namespace sluice::scene {
@@ -153,10 +154,15 @@ void assignOne(v1::Scene& scene, const std::string& assignment) {
   if (field.is_repeated() && (place.step.index < 0 || !isMessage(field))) {
     throw InputError("", path, field.name() + " is a list; set one element, as in " + field.name() + "[0]");
   }
-  if (!isMessage(field)) return setScalar(place, path, value);
+  if (!isMessage(field)) {
+    setScalar(place, path, value);
+    if (isPreset(field)) replaceByPreset(static_cast<v1::Look&>(*place.holder));
+    return;
+  }
   Message* target = field.is_repeated() ? reflection.MutableRepeatedMessage(place.holder, &field, place.step.index)
                                         : reflection.MutableMessage(place.holder, &field);
   setMessage(*target, path, field, value);
+  if (field.message_type() == v1::Look::descriptor()) applyPreset(static_cast<v1::Look&>(*target));
 }
 
 }  // namespace

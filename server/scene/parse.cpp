@@ -3,6 +3,7 @@
 
 #include "names.h"
 #include "sluice/core/input_error.h"
+#include "sluice/scene/looks.h"
 #include "sluice/scene/scene.h"
 #include "validate.h"
 
@@ -116,6 +117,7 @@ v1::Scene parse(std::string_view text, const std::string& fileName) {
   if (!parser.ParseFromString(std::string(text), &scene)) {
     throw InputError(toString(fileName, error.location), "", error.problem);
   }
+  applyPresets(scene);
   complete(scene);
   if (const std::optional<Problem> problem = findProblem(scene)) {
     // A missing field is reported by itself, its place by the message that lacks it.

@@ -3,6 +3,7 @@
 #include "annotations.h"
 #include "field_path.h"
 #include "sluice/core/input_error.h"
+#include "sluice/scene/looks.h"
 #include "sluice/scene/scene.h"
 
 namespace sluice::scene {
@@ -71,6 +72,20 @@ bool needsRestart(const Message& before, const Message& after, bool underSource)
   return false;
 }
 
+/// Looks that an update has given as a whole have their presets under them.
+void applyPresetsOf(v1::Scene& scene, const google::protobuf::FieldMask& mask) {
+  for (const std::string& path : mask.paths()) {
+    const Place place = resolve(scene, path);
+    const Reflection& reflection = *place.holder->GetReflection();
+    if (place.step.field->message_type() != v1::Look::descriptor()) continue;
+    if (!place.step.field->is_repeated()) {
+      applyPreset(static_cast<v1::Look&>(*reflection.MutableMessage(place.holder, place.step.field)));
+    } else {
+      for (v1::Look& look : *scene.mutable_more_looks()) applyPreset(look);
+    }
+  }
+}
+
 }  // namespace
 
 Update applyUpdate(const v1::Scene& current, const v1::Scene& partial, const google::protobuf::FieldMask& mask) {
@@ -81,7 +96,9 @@ Update applyUpdate(const v1::Scene& current, const v1::Scene& partial, const goo
     const Place source = resolve(given, path);
     const Place target = resolve(update.scene, path);
     moveField(*target.holder, *source.holder, target.step, path);
+    if (isPreset(*target.step.field)) replaceByPreset(static_cast<v1::Look&>(*target.holder));
   }
+  applyPresetsOf(update.scene, mask);
   complete(update.scene);
   validate(update.scene);
   update.restart = needsRestart(current, update.scene, false);

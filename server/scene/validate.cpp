@@ -1,5 +1,6 @@
 #include "validate.h"
 
+#include <algorithm>
 #include <array>
 
 #include "annotations.h"
@@ -133,7 +134,10 @@ class Validator {
 
   bool checkText(const std::string& text, const v1::FieldInfo& info) {
     if (info.required() && text.empty()) return fail("must not be empty");
-    return isUtf8(text) || fail("is not valid UTF-8");
+    if (!isUtf8(text)) return fail("is not valid UTF-8");
+    const std::vector<std::string> words(info.words().begin(), info.words().end());
+    if (words.empty() || text.empty() || std::ranges::find(words, text) != words.end()) return true;
+    return fail(inQuotes(text) + " is none of the words allowed; " + suggestNames(text, words));
   }
 
   /// The annotations `below` and `at_most`, which compare a field with another of the same message.

@@ -127,9 +127,14 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   snapshot->velocities.resize(state_.size());
   snapshot->densities.resize(state_.size());
   snapshot->ids = state_.id;
+  snapshot->pressures.resize(state_.size());
+  // Every particle is there from the start.
+  snapshot->ages.assign(state_.size(), static_cast<float>(time_));
   snapshot->supportRadius = support_;
   snapshot->neighbours.resize(state_.size());
   const auto restDensity = static_cast<float>(snapshot->restDensity);
+  // κ = p·dt/ρ0: u = v − dt/ρ0·∇p, see PressureSolve. Of the density solve, which is the one that carries gravity.
+  const float pressureOfImpulse = lastStepSeconds_ > 0 ? restDensity / static_cast<float>(lastStepSeconds_) : 0.0F;
   const Eigen::Vector3f origin(static_cast<float>(container_.origin[0]), static_cast<float>(container_.origin[1]),
                                static_cast<float>(container_.origin[2]));
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
@@ -139,6 +144,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
       snapshot->positions[i] = origin + Eigen::Vector3f(x.x, x.y, x.z);
       snapshot->velocities[i] = {v.x, v.y, v.z};
       snapshot->densities[i] = restDensity * lists_.density()[i];
+      snapshot->pressures[i] = pressureOfImpulse * state_.densityImpulse[i];
     }
     lists_.countFluidNeighbours(chunk, snapshot->neighbours);
   });

@@ -33,6 +33,26 @@ TEST_P(CameraCase, GivesAFiniteAndRepeatablePicture) {
   }
 }
 
+TEST_P(CameraCase, IsFiniteWithNoise) {
+  const Case& c = GetParam();
+  core::ParticleSnapshot particles = columnAndSheet(1500);
+  for (std::size_t i = 0; i < particles.size(); ++i) particles.ids.push_back(static_cast<std::uint32_t>(i));
+  particles.velocities.assign(particles.size(), Eigen::Vector3f::Zero());
+  look.mutable_noise()->set_amplitude(5);
+  scene::complete(look);
+  renderer.follow(particles, scene);
+  for (Eigen::Vector3f& velocity : particles.velocities) velocity.y() = 100;
+  particles.time = 0.1;
+  const core::Frame first = render(particles, c.camera, c.size);
+  for (const render::Resource resource : {render::Resource::Noise, render::Resource::Violence}) {
+    for (const float value : renderer.readBuffer(resource).values) {
+      ASSERT_TRUE(std::isfinite(value)) << name(resource);
+    }
+  }
+  for (const float value : renderer.readRadiance().values) ASSERT_TRUE(std::isfinite(value));
+  EXPECT_EQ(first.pixels, render(particles, c.camera, c.size).pixels);
+}
+
 TEST_P(CameraCase, IsFiniteForEveryShape) {
   const Case& c = GetParam();
   core::ParticleSnapshot particles = columnAndSheet(1500);

@@ -121,7 +121,7 @@ TEST_F(Geometry, SmoothingTurnsABumpySlabIntoAPlane) {
   // The bounds leave half as much again as the errors known for these methods (plane, R = 0.8 d).
   look.mutable_splats()->set_radius_in_spacings(0.8);
   look.mutable_smoothing()->set_time(3);
-  renderer.show(render::View::Normals);
+  scene.mutable_view()->mutable_normals();
   const core::ImageSize size{256, 256};
   // At 2 m a spacing of 0.06 m is 9 pixels wide.
   const core::ParticleSnapshot particles = slab(2.0F, 1.2F, 0.06F);

@@ -58,6 +58,14 @@ TEST(Fresnel, NothingIsReflectedWithoutAnInterface) {
   EXPECT_NEAR(evaluate("fresnel.glsl", "fresnel(0.0, 1.333)"), 1.0, 1e-6);
 }
 
+TEST(Fresnel, InsideIsTotalBeyondTheCriticalAngle) {
+  const std::unique_ptr<Context> context = Context::create();
+  // asin(1/1.333) = 48.61°.
+  EXPECT_EQ(evaluate("fresnel.glsl", "fresnelInside(cos(radians(48.7)), 1.333)"), 1.0F);
+  EXPECT_LT(evaluate("fresnel.glsl", "fresnelInside(cos(radians(48.5)), 1.333)"), 0.9F);
+  EXPECT_NEAR(evaluate("fresnel.glsl", "fresnelInside(1.0, 1.333)"), 0.02037, 1e-4);
+}
+
 TEST(ToneMap, KeepsTheMiddleAndNeverPassesOne) {
   const std::unique_ptr<Context> context = Context::create();
   EXPECT_NEAR(evaluate("tone.glsl", "toneMap(vec3(0.5)).r"), 0.5, 1e-6);

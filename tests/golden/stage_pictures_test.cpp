@@ -76,6 +76,27 @@ TEST_F(Golden, Spray) {
   EXPECT_EQ(compareWithGolden("spray", draw()), "");
 }
 
+TEST_F(Golden, Foam) {
+  // From the column's foot outwards over the sheet: bubbles below, foam at and spray above its surface.
+  scene.mutable_foam()->set_radius_in_spacings(0.12);
+  scene::complete(scene);
+  std::mt19937 random(3);
+  const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24F; };
+  for (std::uint32_t i = 0; i < 6000; ++i) {
+    const float away = uniform() * uniform();
+    const float height = 0.02F + 0.16F * uniform() + 0.6F * std::pow(uniform(), 8.0F);
+    const bool inside = height < 0.09F;
+    particles.diffuse.positions.emplace_back(0.5F + 1.2F * away, height, uniform());
+    particles.diffuse.velocities.emplace_back(Eigen::Vector3f::Zero());
+    particles.diffuse.kinds.push_back(inside           ? core::DiffuseKind::Bubble
+                                      : height < 0.14F ? core::DiffuseKind::Foam
+                                                       : core::DiffuseKind::Spray);
+    particles.diffuse.remaining.push_back(uniform());
+    particles.diffuse.ids.push_back(i);
+  }
+  EXPECT_EQ(compareWithGolden("foam", draw()), "");
+}
+
 /// One picture for each member of Smoothing.method, named like it.
 class GoldenOfSmoothing : public Golden, public ::testing::WithParamInterface<std::string> {};
 
@@ -99,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Every, GoldenOfSmoothing, ::testing::ValuesIn(smoothing
                          [](const auto& method) { return std::string(method.param); });
 
 TEST_F(Golden, Normals) {
-  renderer.show(render::View::Normals);
+  scene.mutable_view()->mutable_normals();
   EXPECT_EQ(compareWithGolden("normals", draw()), "");
 }
 
@@ -109,6 +130,23 @@ TEST_F(Golden, Thickness) {
   EXPECT_EQ(compareWithGolden("thickness", asGrey(renderer.readBuffer(Resource::Thickness), 0, 1)), "");
 }
 
+TEST_F(Golden, Noise) {
+  // The column is violent, the sheet is calm; the height is grey between -1 and 1 cm.
+  for (std::size_t i = 0; i < particles.size(); ++i) particles.ids.push_back(static_cast<std::uint32_t>(i));
+  particles.velocities.assign(particles.size(), Eigen::Vector3f::Zero());
+  look.mutable_noise();
+  scene::complete(look);
+  renderer.follow(particles, scene);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.positions[i].x() < 0.5F) particles.velocities[i] = {0, 5, 0};
+  }
+  particles.time = 0.04;
+  draw();
+  FloatPicture height = renderer.readBuffer(Resource::Noise);
+  for (float& value : height.values) value += 0.01F;
+  EXPECT_EQ(compareWithGolden("noise", asGrey(height, 0, 0.02)), "");
+}
+
 TEST_F(Golden, Composite) { EXPECT_EQ(compareWithGolden("composite", draw()), ""); }
 
 TEST_F(Golden, CompositeOpaque) {
@@ -116,11 +154,11 @@ TEST_F(Golden, CompositeOpaque) {
   EXPECT_EQ(compareWithGolden("composite_opaque", draw()), "");
 }
 
-TEST_F(Golden, GroundShadow) {
-  // From high up, with much shadow and the liquid all but invisible.
+TEST_F(Golden, Sunlight) {
+  // From high up, where the shadow falls towards the eye.
   sun.set_shadow(1);
   camera.eye = {-1.5F, 2.0F, -1.5F};
-  EXPECT_EQ(compareWithGolden("ground_shadow", draw()), "");
+  EXPECT_EQ(compareWithGolden("sunlight", draw()), "");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "sluice/scene/scene.h"
 
@@ -24,7 +25,12 @@ class FramePlanTest : public ::testing::Test {
     traits.pixelSlope = 1e-3;
   }
 
-  FramePlan plan() const { return planFrame(scene, {640, 480}, traits, reuse, device); }
+  FramePlan plan() const { return planFrame(scene, {640, 480}, liquids(), reuse, device); }
+  std::vector<DataTraits> liquids() const {
+    std::vector<DataTraits> all{traits};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
   static auto names(std::string_view name) { return Contains(Field(&core::LeftOut::name, std::string(name))); }
 
   v1::Scene scene;
@@ -32,6 +38,7 @@ class FramePlanTest : public ::testing::Test {
   v1::Background& background = *scene.mutable_background();
   v1::Sun& sun = *scene.mutable_lighting()->mutable_sun();
   DataTraits traits;
+  std::vector<DataTraits> more;  ///< Of further liquids.
   ReuseTraits reuse;
   DeviceTraits device;
 };
@@ -44,7 +51,7 @@ TEST_F(FramePlanTest, IsPure) {
 
 TEST_F(FramePlanTest, DefaultRunsEveryPartOfTheLook) {
   const FramePlan p = plan();
-  for (const Pass pass : {Pass::Background, Pass::GroundShadow, Pass::SelectSplats, Pass::Splats, Pass::Mask,
+  for (const Pass pass : {Pass::Background, Pass::Sunlight, Pass::SelectSplats, Pass::Splats, Pass::Mask,
                           Pass::Smoothing, Pass::Thickness, Pass::SmoothThickness, Pass::Composite}) {
     EXPECT_TRUE(p.runs(pass)) << name(pass);
   }
@@ -60,10 +67,10 @@ TEST_F(FramePlanTest, PassesReadOnlyWhatIsThere) {
         smoothing.GetReflection()->MutableMessage(&smoothing, methods->field(i));
         scene::complete(smoothing);
         smoothing.set_divisor(divisor);
-        std::vector<Resource> there{Resource::Particles};
+        std::vector<BufferId> there{{Resource::Particles}};
         const FramePlan p = plan();
         for (const PassStep& step : p.steps) {
-          for (const Resource resource : step.reads) EXPECT_THAT(there, Contains(resource)) << step.name;
+          for (const BufferId id : step.reads) EXPECT_THAT(there, Contains(id)) << step.name;
           there.insert(there.end(), step.writes.begin(), step.writes.end());
         }
         EXPECT_TRUE(p.runs(Pass::Smoothing)) << methods->field(i)->name();
@@ -111,7 +118,7 @@ TEST_F(FramePlanTest, MaskFollowsErosion) {
 TEST_F(FramePlanTest, NoParticlesLeavesTheBackgroundAlone) {
   traits.points = 0;
   const FramePlan p = plan();
-  EXPECT_EQ(p.steps.size(), 1U);
+  EXPECT_EQ(p.steps.size(), 2U);  // the background, and its tone
   EXPECT_EQ(p.buffers.size(), 1U);
   EXPECT_THAT(p.leftOut, names("liquid"));
 }
@@ -126,32 +133,44 @@ TEST_F(FramePlanTest, KeptBackgroundIsNotDrawnAgain) {
 TEST_F(FramePlanTest, KeptPictureNeedsNothing) {
   reuse.picture = true;
   const FramePlan p = plan();
-  EXPECT_TRUE(p.steps.empty());
+  ASSERT_EQ(p.steps.size(), 1U);
+  EXPECT_EQ(p.steps.front().pass, Pass::ToneMap);
   EXPECT_THAT(p.leftOut, names("every pass"));
 }
 
 TEST_F(FramePlanTest, BuffersThatNeverMeetShareMemory) {
   look.mutable_smoothing()->mutable_bilateral();
   scene::complete(look);
+  more = {traits};
   const FramePlan p = plan();
-  // The scratch is done with before the picture is begun.
-  const PictureBuffer* const scratch = p.buffer(Resource::SurfaceScratch);
-  const PictureBuffer* const picture = p.buffer(Resource::Picture);
+  // The first liquid's scratch is done with before the second's is begun.
+  const PictureBuffer* const scratch = p.buffer(Resource::SurfaceScratch, 0);
+  const PictureBuffer* const second = p.buffer(Resource::SurfaceScratch, 1);
   ASSERT_NE(scratch, nullptr);
-  EXPECT_TRUE(scratch->sharedWith == Resource::Picture || picture->sharedWith == Resource::SurfaceScratch);
-  EXPECT_EQ(scratch->bytes() + picture->bytes(), 4U * 640 * 480);
+  ASSERT_NE(second, nullptr);
+  EXPECT_TRUE(scratch->sharedWith || second->sharedWith);
+  EXPECT_LE(scratch->bytes() + second->bytes(), 4U * 640 * 480);
   // What is kept for the next frame shares with nobody.
   EXPECT_FALSE(p.buffer(Resource::Background)->sharedWith);
   EXPECT_FALSE(p.buffer(Resource::Surface)->sharedWith);
 }
 
+TEST_F(FramePlanTest, SunlightNeedsASunAboveTheHorizon) {
+  EXPECT_TRUE(plan().runs(Pass::Sunlight));
+  sun.set_strength(0);
+  EXPECT_FALSE(plan().runs(Pass::Sunlight));
+  sun.set_strength(1);
+  sun.mutable_direction()->set_y(-0.5);
+  EXPECT_FALSE(plan().runs(Pass::Sunlight));
+}
+
 TEST_F(FramePlanTest, ShadowNeedsFloorAndStrength) {
   background.set_floor(false);
-  EXPECT_FALSE(plan().runs(Pass::GroundShadow));
+  EXPECT_FALSE(plan().runs(Pass::Sunlight));
   background.set_floor(true);
   sun.set_shadow(0);
   const FramePlan p = plan();
-  EXPECT_FALSE(p.runs(Pass::GroundShadow));
+  EXPECT_FALSE(p.runs(Pass::Sunlight));
   EXPECT_EQ(p.buffer(Resource::Scene), nullptr);
 }
 
@@ -178,16 +197,19 @@ TEST_F(FramePlanTest, SprayIsDrawnLastWhereThereIsAny) {
   traits.sprayDrops = 3;
   look.mutable_smoothing()->set_divisor(2);
   EXPECT_EQ(reason(), "");
-  EXPECT_EQ(plan().steps.back().pass, Pass::Spray);
-  EXPECT_THAT(plan().steps.back().reads, Contains(Resource::Surface));
+  const FramePlan p = plan();
+  const PassStep& spray = p.steps[p.steps.size() - 2];
+  EXPECT_EQ(spray.pass, Pass::Spray);
+  EXPECT_THAT(spray.reads, Contains(BufferId{Resource::Surface}));
+  EXPECT_EQ(p.steps.back().pass, Pass::ToneMap);
 }
 
 TEST_F(FramePlanTest, SprayAloneNeedsNoLiquid) {
   traits.points = 0;
   traits.sprayDrops = 3;
   const FramePlan p = plan();
-  EXPECT_EQ(p.steps.back().pass, Pass::Spray);
-  EXPECT_TRUE(p.runs(Pass::GroundShadow));
+  EXPECT_TRUE(p.runs(Pass::Spray));
+  EXPECT_TRUE(p.runs(Pass::Sunlight));
   EXPECT_FALSE(p.runs(Pass::Splats));
   EXPECT_EQ(p.buffer(Resource::Surface), nullptr);
   EXPECT_NE(p.buffer(Resource::Picture), nullptr);
@@ -205,9 +227,46 @@ TEST_F(FramePlanTest, InteriorParticlesNeedNeighbourCountsAndClosedSplats) {
   EXPECT_THAT(plan().leftOut, names("search for interior particles"));
 }
 
+TEST_F(FramePlanTest, OneLiquidHasNoLayers) {
+  const FramePlan p = plan();
+  EXPECT_EQ(p.layers, 1);
+  EXPECT_FALSE(p.runs(Pass::ExtendScene));
+  EXPECT_EQ(p.buffer(Resource::Surface, 1), nullptr);
+  EXPECT_THAT(p.leftOut, names("extend scene"));
+  // A second that is not in the picture changes nothing but what is said of it.
+  more.emplace_back();
+  EXPECT_EQ(plan().steps, p.steps);
+  EXPECT_EQ(plan().buffers, p.buffers);
+}
+
+TEST_F(FramePlanTest, EveryLiquidIsCompositedInEveryLayer) {
+  more = {traits};
+  const FramePlan p = plan();
+  EXPECT_EQ(p.layers, 2);
+  EXPECT_EQ(std::ranges::count(p.steps, Pass::Composite, &PassStep::pass), 4);
+  EXPECT_EQ(std::ranges::count(p.steps, Pass::ExtendScene, &PassStep::pass), 1);
+  EXPECT_NE(p.buffer(Resource::Surface, 1), nullptr);
+  EXPECT_NE(p.buffer(Resource::Scene), nullptr);
+}
+
 TEST_F(FramePlanTest, HighlightOfStrengthZeroIsLeftOut) {
   look.mutable_liquid()->mutable_physical()->set_specular(0);
   EXPECT_THAT(plan().leftOut, names("specular highlight"));
+}
+
+TEST_F(FramePlanTest, BackSurfaceIsForTwoInterfacesOfClearLiquidAlone) {
+  EXPECT_EQ(plan().buffer(Resource::BackSurface), nullptr);
+  EXPECT_THAT(plan().leftOut, names("back splats"));
+  look.mutable_liquid()->mutable_two_interfaces();
+  EXPECT_TRUE(plan().runs(Pass::BackSplats));
+  EXPECT_TRUE(plan().runs(Pass::BackSmoothing));
+  EXPECT_NE(plan().buffer(Resource::BackSurface), nullptr);
+  look.mutable_smoothing()->set_time(0);
+  EXPECT_FALSE(plan().runs(Pass::BackSmoothing));
+  look.mutable_liquid()->mutable_metal();
+  EXPECT_EQ(plan().buffer(Resource::BackSurface), nullptr);
+  EXPECT_EQ(plan().buffer(Resource::Thickness), nullptr);
+  EXPECT_THAT(plan().leftOut, names("refraction"));
 }
 
 TEST_F(FramePlanTest, ThicknessDivisorShrinksItsBuffer) {
@@ -220,7 +279,7 @@ TEST_F(FramePlanTest, FlowStaysBelowItsBoundAndReachesItsTime) {
   look.mutable_smoothing()->set_time(0.5);
   look.mutable_smoothing()->mutable_curvature_flow()->set_max_iterations(10000);
   scene::complete(look);
-  const FlowSchedule flow = plan().flow;
+  const FlowSchedule flow = plan().surfaces[0].flow;
   const double footprint = traits.pixelSlope * traits.nearestDepth;
   EXPECT_LE(flow.stepTime, 0.9 * footprint * footprint / 2);
   EXPECT_NEAR(flow.iterations * flow.stepTime, 0.5 * traits.spacing * traits.spacing, 1e-12);
@@ -232,8 +291,8 @@ TEST_F(FramePlanTest, FlowCutShortSaysSo) {
   look.mutable_smoothing()->mutable_curvature_flow()->set_max_iterations(10);
   scene::complete(look);
   const FramePlan p = plan();
-  EXPECT_EQ(p.flow.iterations, 10);
-  EXPECT_GT(p.flow.shortfall, 0.5);
+  EXPECT_EQ(p.surfaces[0].flow.iterations, 10);
+  EXPECT_GT(p.surfaces[0].flow.shortfall, 0.5);
   EXPECT_THAT(p.leftOut, Contains(Field(&core::LeftOut::reason, "max_iterations is reached")));
 }
 

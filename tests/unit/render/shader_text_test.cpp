@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "frame_uniforms.h"
+#include "liquid_uniforms.h"
 #include "sluice/gl/shader_library.h"
 
 namespace sluice::render {
@@ -17,8 +18,8 @@ std::string read(const std::string& file) {
 }
 
 /// Names of the vec4 members in a declaration, in order.
-std::vector<std::string> members(std::string text, const std::string& type) {
-  text = text.substr(text.find("FrameUniforms {"));
+std::vector<std::string> members(std::string text, const std::string& block, const std::string& type) {
+  text = text.substr(text.find(block + " {"));
   text = text.substr(0, text.find("\n}"));
   std::vector<std::string> names;
   const std::regex member("\\n  " + type + " (\\w+);");
@@ -26,14 +27,19 @@ std::vector<std::string> members(std::string text, const std::string& type) {
   return names;
 }
 
-TEST(FrameUniforms, MirrorTheShaders) {
+/// Compares a block's members in a shader file with those in a header, whose struct has `size` bytes.
+void expectMirrored(const std::string& block, const std::string& stem, std::size_t size) {
   const std::string root = SLUICE_SOURCE_FOLDER;
-  const auto glsl = members(read(root + "/shaders/frame_uniforms.glsl"), "vec4");
-  const auto cpp = members(read(root + "/server/render/frame_uniforms.h"), "Vec4");
+  const auto glsl = members(read(root + "/shaders/" + stem + ".glsl"), block, "vec4");
+  const auto cpp = members(read(root + "/server/render/" + stem + ".h"), block, "Vec4");
   ASSERT_FALSE(glsl.empty());
   EXPECT_EQ(glsl, cpp);
-  EXPECT_EQ(sizeof(FrameUniforms), 16 * cpp.size());
+  EXPECT_EQ(size, 16 * cpp.size());
 }
+
+TEST(FrameUniforms, MirrorTheShaders) { expectMirrored("FrameUniforms", "frame_uniforms", sizeof(FrameUniforms)); }
+
+TEST(LiquidUniforms, MirrorTheShaders) { expectMirrored("LiquidUniforms", "liquid_uniforms", sizeof(LiquidUniforms)); }
 
 TEST(ShaderLibrary, PutsEachIncludeInOnce) {
   const gl::ShaderLibrary library({{"a.frag", "#include \"b.glsl\"\n#include \"c.glsl\"\nmain\n"},

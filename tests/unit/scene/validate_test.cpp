@@ -55,6 +55,12 @@ TEST(Validate, TakesOnlyTheValuesOfAList) {
   EXPECT_STREQ(error.what(), "look.thickness.divisor: 3 is not allowed; allowed is 1, 2 or 4");
 }
 
+TEST(Validate, TakesOnlyTheWordsOfAList) {
+  const auto error = errorAfter([](v1::Scene& s) { s.mutable_look()->set_preset("hony"); });
+  EXPECT_EQ(error.fieldPath(), "look.preset");
+  EXPECT_THAT(error.problem(), HasSubstr("did you mean honey?"));
+}
+
 TEST(Validate, ComparesNeighbouringFields) {
   auto error = errorAfter([](v1::Scene& s) { s.mutable_simulation()->mutable_container()->mutable_max()->set_y(-1); });
   EXPECT_STREQ(error.what(),
@@ -66,8 +72,10 @@ TEST(Validate, ComparesNeighbouringFields) {
 TEST(Validate, CountsTheElementsOfLists) {
   auto error = errorAfter([](v1::Scene& s) { s.mutable_simulation()->clear_fluids(); });
   EXPECT_STREQ(error.what(), "simulation.fluids: has 0 elements; needs at least 1");
-  error = errorAfter([](v1::Scene& s) { *s.mutable_simulation()->add_fluids() = s.simulation().fluids(0); });
-  EXPECT_STREQ(error.what(), "simulation.fluids: has 2 elements; allowed are at most 1");
+  error = errorAfter([](v1::Scene& s) {
+    for (int i = 0; i < 8; ++i) *s.mutable_simulation()->add_fluids() = s.simulation().fluids(0);
+  });
+  EXPECT_STREQ(error.what(), "simulation.fluids: has 9 elements; allowed are at most 8");
 }
 
 TEST(Validate, AsksForWhatIsRequired) {

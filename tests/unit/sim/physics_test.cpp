@@ -140,6 +140,53 @@ TEST(Physics, PressureInAColumnGrowsWithDepth) {
   EXPECT_GT(meanOf(5), meanOf(8));
 }
 
+// p ≈ ρ0 g depth, of the snapshots: 15 % of the pressure at the floor. Half of that is the lattice's (the surface stands
+// somewhere within a spacing, a twelfth of the depth), the rest the 5 % that single layers differ by.
+TEST(Physics, SnapshotsTellTheHydrostaticPressure) {
+  constexpr std::uint32_t kLayers = 12;
+  constexpr double kDensity = 850;
+  v1::Simulation settings = column(8, kLayers);
+  settings.mutable_fluids(0)->set_rest_density(kDensity);
+  settings.mutable_dfsph()->set_density_error(0.005);
+  FluidSimulation simulation(settings);
+  EXPECT_EQ(simulation.snapshot()->pressures, std::vector<float>(simulation.state().size(), 0.0F));
+  runUntil(simulation, 1.0);
+  double sum[kLayers] = {};
+  double depth[kLayers] = {};
+  double count[kLayers] = {};
+  for (int step = 0; step < 50; ++step) {
+    ASSERT_TRUE(simulation.advance());
+    const auto snapshot = simulation.snapshot();
+    double surface = 0;
+    for (const Eigen::Vector3f& x : snapshot->positions) surface = std::max(surface, x.y() + 0.025);
+    const Eigen::Vector3f low(static_cast<float>(settings.container().min().x()), 0,
+                              static_cast<float>(settings.container().min().z()));
+    for (std::size_t i = 0; i < snapshot->size(); ++i) {
+      const Eigen::Vector3f x = snapshot->positions[i] - low;
+      const auto inside = [](float place) { return place > 0.12F && place < 9 * 0.05F - 0.12F; };
+      if (!inside(x.x()) || !inside(x.z())) continue;
+      const double below = surface - snapshot->positions[i].y();
+      const auto layer = static_cast<std::size_t>(std::clamp(below / 0.05, 0.0, kLayers - 1.0));
+      sum[layer] += snapshot->pressures[i];
+      depth[layer] += below;
+      count[layer] += 1;
+    }
+  }
+  const double atFloor = kDensity * 9.81 * 0.05 * kLayers;
+  for (std::size_t layer = 2; layer < kLayers - 1; ++layer) {
+    if (count[layer] < 50) continue;
+    EXPECT_NEAR(sum[layer] / count[layer], kDensity * 9.81 * depth[layer] / count[layer], 0.15 * atFloor)
+        << "layer " << layer;
+  }
+}
+
+TEST(Physics, SnapshotsTellTheAge) {
+  FluidSimulation simulation(floatingCube(3));
+  runUntil(simulation, 0.1);
+  const auto snapshot = simulation.snapshot();
+  EXPECT_EQ(snapshot->ages, std::vector<float>(27, static_cast<float>(simulation.time())));
+}
+
 TEST(Physics, DamBreakKeepsItsParticlesAndLosesEnergy) {
   FluidSimulation simulation(smallDamBreak());
   const double spacing = 0.05;

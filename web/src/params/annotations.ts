@@ -18,6 +18,8 @@ export interface Annotation {
   readonly logarithmic: boolean;
   /** The only values there are; empty for any within the range. */
   readonly allowed: readonly number[];
+  /** The only words that a text may be, besides none; empty for any text. */
+  readonly words: readonly string[];
 }
 
 export function annotationOf(field: DescField): Annotation {
@@ -30,6 +32,7 @@ export function annotationOf(field: DescField): Annotation {
     restart: given.apply === Apply.RESTART,
     logarithmic: given.logarithmic,
     allowed: given.allowed,
+    words: given.words,
   };
 }
 

@@ -42,7 +42,8 @@ export function textControl(field: TextField, events: ControlEvents): Control {
 export function enumControl(field: EnumField, events: ControlEvents): Control {
   const select = h("select", { "aria-label": field.label });
   for (const { value, label } of field.options) select.append(h("option", { value }, label));
-  select.addEventListener("change", () => events.changed(Number(select.value), "done"));
+  const isNumber = typeof field.value === "number";
+  select.addEventListener("change", () => events.changed(isNumber ? Number(select.value) : select.value, "done"));
   return {
     value: select,
     show: (node: FieldNode) => {

@@ -49,12 +49,12 @@ export interface TextField extends Field {
   readonly standard: string;
 }
 
-/** One of a few numbers: an enumeration's, or those that the annotation allows. */
+/** One of a few numbers or words: an enumeration's, or those that the annotation allows. */
 export interface EnumField extends Field {
   readonly kind: "enum";
-  readonly value: number;
-  readonly standard: number | undefined;
-  readonly options: readonly { readonly value: number; readonly label: string }[];
+  readonly value: number | string;
+  readonly standard: number | string | undefined;
+  readonly options: readonly { readonly value: number | string; readonly label: string }[];
 }
 
 export interface VectorField extends Field {
@@ -184,6 +184,13 @@ function scalarOf(message: ReflectMessage, field: DescField & { fieldKind: "scal
     case "boolean":
       return [{ ...common, kind: "toggle", value, standard: standard === true }];
     case "string":
+      if (common.annotation.words.length > 0) {
+        const options = ["", ...common.annotation.words].map((word) => ({
+          value: word,
+          label: word === "" ? "none" : labelOf(word),
+        }));
+        return [{ ...common, kind: "enum", value, standard: typeof standard === "string" ? standard : "", options }];
+      }
       return [{ ...common, kind: "text", value, standard: typeof standard === "string" ? standard : "" }];
     case "number":
     case "bigint":

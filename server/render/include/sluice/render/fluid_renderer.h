@@ -41,8 +41,12 @@ class FluidRenderer {
   core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
                      core::ImageSize size);
 
+  /// Takes note of particles that no picture shows, for what depends on how they have moved: of the moments before the
+  /// first picture, or between pictures far apart.
+  void follow(const core::ParticleSnapshot& particles, const v1::Scene& scene);
+
   /// A buffer of the last frame, for studies and tests: Resource::Surface (inverse eye depth, 1/m, after smoothing) or
-  /// Resource::Thickness (m), of one liquid. Empty when the frame did without it.
+  /// Resource::Thickness (m), Resource::Noise (m) or Resource::Violence (0 to 1), of one liquid. Empty when the frame did without it.
   FloatPicture readBuffer(Resource resource, std::size_t liquid = 0);
 
   /// The last picture.

@@ -21,7 +21,7 @@ enum class Pass : std::uint8_t {
   BodyShadow,
   Background,
   Bodies,
-  GroundShadow,
+  Sunlight,
   SelectSplats,
   Splats,
   LargeSplats,
@@ -31,13 +31,21 @@ enum class Pass : std::uint8_t {
   LargeThickness,
   SmoothThickness,
   ClipThickness,
+  BackSplats,
+  BackSmoothing,
+  Noise,
   GlassBehind,
   BeginPicture,
   ExtendScene,
   Composite,
   BlendLiquid,
+  VelocityMap,
+  ColourMap,
+  Study,
   BodyEdges,
   Spray,
+  Foam,
+  BlendFoam,
   GlassBefore,
   ToneMap,
 };
@@ -46,7 +54,7 @@ enum class Pass : std::uint8_t {
 enum class Resource : std::uint8_t {
   Particles,       ///< Positions, as they came.
   SplatList,       ///< Which particles are drawn, and how.
-  ShadowMap,       ///< Liquid that sunlight passes before it meets the floor.
+  LightMap,        ///< What becomes of sunlight that passes the liquid.
   BodyShadowMap,   ///< Depth of the bodies as the sun sees them.
   BodySamples,     ///< Light and depth of the bodies, four samples a pixel.
   SceneDepth,      ///< Inverse eye depth of floor and bodies, 1/m; 0 where there is none.
@@ -57,10 +65,17 @@ enum class Resource : std::uint8_t {
   SurfaceScratch2,
   SurfaceScratch3,
   SurfaceScratch4,
-  Stencil,    ///< 1 where there is liquid.
-  Thickness,  ///< Liquid along the line of sight, m.
+  BackSurface,  ///< Inverse eye depth of the liquid's farthest side; 0 where there is no liquid.
+  BackDepth,    ///< The same as a depth, where a GPU draws it.
+  Stencil,      ///< 1 where there is liquid.
+  Thickness,    ///< Liquid along the line of sight, m.
   ThicknessScratch,
+  Noise,      ///< Height of waves over the smoothed surface, m.
+  NoiseSums,  ///< What the noise is made of, see noise.frag.
+  Violence,   ///< How shaken the liquid is, 0 to 1.
+  Attribute,  ///< A value of the particles at the surface.
   Liquid,   ///< The shaded liquid alone, where it is drawn smaller than the picture.
+  Foam,     ///< Optical depth of spray, foam and bubbles: they hide 1 - exp(-it) of what is behind.
   Picture,  ///< Scene and liquid in linear light.
   Screen,   ///< The picture as a screen shows it.
 };
@@ -70,8 +85,11 @@ enum class Resource : std::uint8_t {
 inline constexpr std::array kSurfaceScratch{Resource::SurfaceScratch, Resource::SurfaceScratch2,
                                             Resource::SurfaceScratch3, Resource::SurfaceScratch4};
 
-/// The surface, or one of its scratch buffers.
+/// The surface, its back, or one of its scratch buffers.
 bool isSurface(Resource resource);
+
+/// As fine as the surface, and no finer.
+bool isAsFineAsSurface(Resource resource);
 
 /// Whether every liquid has one of its own.
 bool isOfLiquid(Resource resource);
@@ -98,10 +116,15 @@ struct DataTraits {
   std::size_t interiorPoints = 0;  ///< Those of them that are deep inside the liquid.
   std::size_t largeSplats = 0;     ///< Splats too near or too large for points.
   std::size_t sprayDrops = 0;      ///< Particles that are far from the rest.
+  std::size_t foamDots = 0;        ///< Secondary particles, whichever liquid made them: the first liquid's count.
   double nearestDepth = 1;         ///< Least eye depth of the liquid's surface, m.
   double pixelSlope = 1e-3;        ///< Width of a pixel at eye depth 1.
   bool densities = false;          ///< Whether the source gives densities,
-  bool neighbourCounts = false;    ///< and numbers of neighbours.
+  bool neighbourCounts = false;    ///< numbers of neighbours,
+  bool ids = false;                ///< ids,
+  bool velocities = false;         ///< and velocities.
+  std::string_view velocityMapMissing = {};  ///< Why the look's velocity map cannot be drawn; empty where it can.
+  std::string_view colourMapMissing = {};    ///< The same of its colour map.
 
   std::size_t splats() const { return points + largeSplats; }
 };
@@ -144,7 +167,7 @@ struct PassStep {
   bool operator==(const PassStep&) const = default;
 };
 
-enum class PixelFormat : std::uint8_t { Rgba16f, Rgba16fDepth32fTimes4, Srgb8Alpha8, R32f, Stencil8 };
+enum class PixelFormat : std::uint8_t { Rgba32f, Rgba16f, Rgba16fDepth32fTimes4, Srgb8Alpha8, R32f, Stencil8 };
 
 std::uint64_t bytesPerPixel(PixelFormat format);
 
@@ -186,6 +209,9 @@ struct FramePlan {
 
 /// The picture's size divided by 1, 2 or 4, rounded up.
 core::ImageSize dividedSize(core::ImageSize size, unsigned divisor);
+
+/// Whether pictures show a step of how the scene is drawn, and not the scene.
+bool isStudy(const v1::View& view);
 
 /// The look of the k-th liquid of a complete scene.
 const v1::Look& lookOf(const v1::Scene& scene, std::size_t liquid);

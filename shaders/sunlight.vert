@@ -1,13 +1,11 @@
-// The part of the floor that the shadow map covers, as a square in the scene.
+// The part of the floor that the light map covers, as a parallelogram in the scene.
 #include "frame_uniforms.glsl"
 
-out vec3 view;
 out vec2 mapPosition;
 
 void main() {
   mapPosition = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  vec2 point = frame.shadow.yz + frame.shadow.w * mapPosition;
-  view = toView(vec3(point.x, frame.floorAndHaze.x, point.y));
+  vec3 view = toView(frame.lightCorner.xyz + mapPosition.x * frame.lightRight.xyz + mapPosition.y * frame.lightDown.xyz);
   // Depth 0 everywhere: what lies behind the eye is still clipped, by w.
   gl_Position = vec4(view.xy / vec2(frame.rightAndSlope.w, frame.downAndSlope.w), 0.0, view.z);
 }

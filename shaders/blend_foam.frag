@@ -1,0 +1,27 @@
+// Spray, foam and bubbles over the picture: they hide what their optical depth tells, and are white in its place.
+#include "frame_uniforms.glsl"
+
+layout(binding = 0) uniform sampler2D foam;
+layout(location = 0) uniform vec3 sunlight;  // times the colour of foam
+layout(location = 1) uniform vec3 skylight;
+
+in vec2 uv;
+out vec4 colour;
+
+float opticalDepthAt(vec2 at) { return texture(foam, at).r; }
+
+void main() {
+  float opticalDepth = opticalDepthAt(uv);
+  if (opticalDepth <= 0.0) discard;
+  float coverage = 1.0 - exp(-opticalDepth);
+
+  // Dense foam stands out from thin foam: its heaps have a side towards the sun and one away from it.
+  vec2 pixel = 1.5 * frame.pictureSize.zw;
+  vec2 rise = vec2(opticalDepthAt(uv + vec2(pixel.x, 0.0)) - opticalDepthAt(uv - vec2(pixel.x, 0.0)),
+                   opticalDepthAt(uv + vec2(0.0, pixel.y)) - opticalDepthAt(uv - vec2(0.0, pixel.y)));
+  vec3 normal = toWorldDirection(normalize(vec3(-rise / (1.0 + opticalDepth), -1.0)));
+  // Light goes astray in foam, so that what is turned from the sun is lit as well.
+  float lit = 0.35 + 0.65 * max(0.0, 0.4 + 0.6 * dot(normal, frame.sun.xyz));
+  vec3 radiance = lit * sunlight + (0.6 + 0.4 * normal.y) * skylight;
+  colour = vec4(radiance * coverage, coverage);
+}
