@@ -2,6 +2,9 @@
 #include "frame_uniforms.glsl"
 #include "sky.glsl"
 #include "floor.glsl"
+#include "scene_lights.glsl"
+#include "lamps.glsl"
+#include "body_shadow.glsl"
 
 in vec2 slope;
 out vec4 colour;  // linear light; alpha: the share that comes straight from the sun
@@ -20,7 +23,25 @@ void main() {
   float far = distance / frame.floorAndHaze.w;
   // The rest of the light on the floor comes from the sky and casts no shadow worth drawing.
   const float sunShare = 0.65;
-  colour = vec4(floorRadiance(point, footprint, distance, direction), sunShare * exp(-far * far));
+  float clear = exp(-far * far);
+  vec3 radiance = floorRadiance(point, footprint, distance, direction);
+  float fromSun = sunShare * clear;
+#ifdef BODIES
+  vec3 place = vec3(point.x, frame.floorAndHaze.x, point.y);
+  float sunlight = mix(1.0, sunlightPastBodies(place, vec3(0.0, 1.0, 0.0)), lights.sunlight.w);
+  float rest = mix(1.0, skyPastBodies(place), clear) * (1.0 - fromSun);
+  radiance *= rest + fromSun * sunlight;
+  fromSun *= sunlight / max(rest + fromSun * sunlight, 1e-6);
+#endif
+#ifdef LAMPS
+  vec3 above = vec3(0.0, frame.eye.y < frame.floorAndHaze.x ? -1.0 : 1.0, 0.0);
+  vec3 lamplight = clear * floorAlbedo(point, footprint) *
+                   lampsOn(vec3(point.x, frame.floorAndHaze.x, point.y), above);
+  const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
+  fromSun *= dot(radiance, luminance) / max(dot(radiance + lamplight, luminance), 1e-6);
+  radiance += lamplight;
+#endif
+  colour = vec4(radiance, fromSun);
 #else
   colour = vec4(skyRadiance(normalize(direction)), 0.0);
 #endif

@@ -9,11 +9,16 @@ float checker(vec2 p, vec2 width) {
   return mean.x * mean.y;
 }
 
-// What the floor at `point` sends to an eye at `distance` m; `footprint` is the pixel's box on the floor, m.
-vec3 floorRadiance(vec2 point, vec2 footprint, float distance, vec3 direction) {
+// Colour of the tiles at `point`; `footprint` is the pixel's box on the floor, m.
+vec3 floorAlbedo(vec2 point, vec2 footprint) {
   float tile = frame.floorAndHaze.y;
   float side = checker(point / tile, footprint / tile);
-  vec3 albedo = mix(frame.tileDark.rgb, frame.tileLight.rgb, 0.5 + 0.5 * side);
+  return mix(frame.tileDark.rgb, frame.tileLight.rgb, 0.5 + 0.5 * side);
+}
+
+// What the floor at `point` sends to an eye at `distance` m; `footprint` is the pixel's box on the floor, m.
+vec3 floorRadiance(vec2 point, vec2 footprint, float distance, vec3 direction) {
+  vec3 albedo = floorAlbedo(point, footprint);
   float far = distance / frame.floorAndHaze.w;
   float haze = 1.0 - exp(-far * far);
   // The floor vanishes into exactly what the sky shows at the horizon above it.

@@ -4,6 +4,9 @@
 #include "splat_shape.glsl"
 #include "surface.glsl"
 #include "sky.glsl"
+#ifdef BODIES
+#include "scene_depth.glsl"
+#endif
 #ifdef LAYERED
 #include "layers.glsl"
 #endif
@@ -14,6 +17,9 @@ out vec4 colour;
 void main() {
   vec2 W = slopeAt(gl_FragCoord.xy);
   Crossing crossing = crossingAlong(W, shape);
+#ifdef BODIES
+  if (bodyDepthAt(W) * crossing.middle > crossing.a) discard;
+#endif
   float radius = shape.sphere.w;
   // 1 − ρ², with ρ from 0 in the middle to 1 at the rim; its square, and the slope of that, end smoothly there.
   float inside = clamp(crossing.squaredHalf / (crossing.a * radius * radius), 0.0, 1.0);

@@ -2,6 +2,8 @@
 
 #include <exception>
 #include <new>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "sluice/app/to_proto.h"
@@ -16,10 +18,15 @@ constexpr std::size_t kMaxWaiting = 256;
 
 constexpr std::chrono::milliseconds kStatsInterval{250};
 
-/// Viewers name shipped scenes and send scene texts; which files the server reads is its operator's choice.
-void refuseForeignFiles(const v1::Scene& present, const v1::Scene& wanted) {
-  if (wanted.has_particle_file() && wanted.particle_file().path() != present.particle_file().path()) {
-    throw core::InputError("", "particle_file.path", "viewers cannot name files of the server");
+/// Viewers name shipped scenes and send scene texts; which files the server reads is its operator's choice. Files that
+/// the present scene reads may be named again, wherever they stand in the wanted one.
+void refuseForeignFiles(v1::Scene present, v1::Scene wanted) {
+  std::set<std::string> known;
+  for (const scene::FileReference& file : scene::filesOf(present)) known.insert(*file.path);
+  for (const scene::FileReference& file : scene::filesOf(wanted)) {
+    if (!known.contains(*file.path)) {
+      throw core::InputError("", file.fieldPath, "viewers cannot name files of the server");
+    }
   }
 }
 

@@ -3,7 +3,7 @@
 namespace sluice::render {
 
 Resource sceneOf(const FrameContext& frame) {
-  const bool changed = frame.plan.runs(Pass::Sunlight) || frame.layer > 0;
+  const bool changed = frame.plan.runs(Pass::Sunlight) || frame.plan.runs(Pass::GlassBehind) || frame.layer > 0;
   return changed ? Resource::Scene : Resource::Background;
 }
 

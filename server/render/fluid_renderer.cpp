@@ -56,6 +56,7 @@ class FluidRenderer::Impl {
     if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, view);
 
     noteParticles(particles);
+    passes_.setBodies(scene, particles.bodies);
     std::vector<DataTraits> traits;
     for (std::size_t k = 0; k < liquids_.size(); ++k) traits.push_back(select(*liquids_[k], lookOf(scene, k), view));
     clock_.lap(name(Pass::SelectSplats));
@@ -70,6 +71,7 @@ class FluidRenderer::Impl {
     targets_.fit(plan);
 
     setUpGl();
+    passes_.bindLights(scene);
     for (std::size_t k = 0; k < liquids_.size(); ++k) uploadSplats(plan, k, view);
     if (plan.runs(Pass::Sunlight)) light_.update(particles, scene, liquids_.size());
     passes_.setLight(light_);
@@ -84,6 +86,7 @@ class FluidRenderer::Impl {
     sceneOf_ = withoutSource(scene);
     cameraOf_ = camera;
     spacingOf_ = particles.spacing;
+    bodiesOf_ = passes_.bodyChanges();
     hasBackground_ = plan.buffer(Resource::Background) != nullptr;
     hasPicture_ = true;
     pictureSize_ = size;
@@ -167,7 +170,9 @@ class FluidRenderer::Impl {
   }
 
   ReuseTraits reuse(const v1::Scene& scene, const core::Camera& camera, core::ImageSize size) const {
-    return {hasBackground_ && pictureSize_ == size && cameraOf_ == camera && sameSurroundings(scene)};
+    return {hasBackground_ && pictureSize_ == size && cameraOf_ == camera && sameSurroundings(scene) &&
+                passes_.bodyChanges() == bodiesOf_,
+            hasBackground_ && passes_.bodyChanges() == bodiesOf_};
   }
 
   /// The last frame's picture is still there.
@@ -355,6 +360,7 @@ class FluidRenderer::Impl {
   v1::Scene sceneOf_;  ///< Of the last picture, without its source.
   core::Camera cameraOf_;
   double spacingOf_ = 0;
+  std::uint64_t bodiesOf_ = 0;  ///< Changes of the bodies until the last picture.
   bool hasBackground_ = false;
   bool hasPicture_ = false;
   core::ImageSize pictureSize_;  ///< Of the last picture.

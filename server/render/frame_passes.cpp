@@ -2,10 +2,29 @@
 
 namespace sluice::render {
 
+void FramePasses::bindLights(const v1::Scene& scene) {
+  const SceneLights lights = makeSceneLights(scene, bodies_);
+  lights_.upload(std::as_bytes(std::span(&lights, 1)));
+  glBindBufferBase(GL_UNIFORM_BUFFER, 4, lights_.name());
+}
+
 void FramePasses::run(Pass pass, const FrameContext& frame) {
   switch (pass) {
+    case Pass::BodyShadow:
+      return bodyShadow_.run(frame, bodies_);
     case Pass::Background:
+      bodyShadow_.bind();
       return background_.run(frame);
+    case Pass::Bodies:
+      return bodiesPass_.run(frame, bodies_);
+    case Pass::BodyEdges:
+      return bodiesPass_.runEdges(frame);
+    case Pass::ClipThickness:
+      return clipThickness_.run(frame);
+    case Pass::GlassBehind:
+      return glass_.runBehind(frame, bodies_);
+    case Pass::GlassBefore:
+      return glass_.runBefore(frame, bodies_);
     case Pass::Sunlight:
       return sunlight_.run(frame, *light_);
     case Pass::SelectSplats:

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "body_passes.h"
 #include "colour_map_pass.h"
 #include "passes.h"
 #include "study_pass.h"
@@ -21,7 +22,21 @@ class FramePasses {
   /// The light that falls on the scene of the frames to come.
   void setLight(const KeptLightMap& light) { light_ = &light; }
 
+  /// The bodies of the frames that follow, where they stand; `poses` as in core::ParticleSnapshot. Throws
+  /// core::InputError where a mesh cannot be read.
+  void setBodies(const v1::Scene& scene, std::span<const core::BodyPose> poses) { bodies_.update(scene, poses); }
+  /// Counts changes of the bodies.
+  std::uint64_t bodyChanges() const { return bodies_.changes(); }
+  /// Lets every pass know of the lights.
+  void bindLights(const v1::Scene& scene);
+
  private:
+  BodyScene bodies_;
+  gl::StreamBuffer lights_;
+  BodyShadowPass bodyShadow_;
+  BodiesPass bodiesPass_;
+  ClipThicknessPass clipThickness_;
+  GlassPass glass_;
   BackgroundPass background_;
   SunlightPass sunlight_;
   SplatsPass splats_;

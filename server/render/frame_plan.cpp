@@ -8,6 +8,18 @@ namespace sluice::render {
 
 std::string_view name(Pass pass) {
   switch (pass) {
+    case Pass::BodyShadow:
+      return "body shadow";
+    case Pass::Bodies:
+      return "bodies";
+    case Pass::ClipThickness:
+      return "clip thickness";
+    case Pass::GlassBehind:
+      return "glass behind";
+    case Pass::BodyEdges:
+      return "body edges";
+    case Pass::GlassBefore:
+      return "glass before";
     case Pass::Background:
       return "background";
     case Pass::Sunlight:
@@ -68,6 +80,12 @@ std::string_view name(Resource resource) {
       return "splat list";
     case Resource::LightMap:
       return "light map";
+    case Resource::BodyShadowMap:
+      return "body shadow map";
+    case Resource::BodySamples:
+      return "body samples";
+    case Resource::SceneDepth:
+      return "scene depth";
     case Resource::Background:
       return "background";
     case Resource::Scene:
@@ -148,6 +166,8 @@ std::uint64_t bytesPerPixel(PixelFormat format) {
       return 16;
     case PixelFormat::Rgba16f:
       return 8;
+    case PixelFormat::Rgba16fDepth32fTimes4:
+      return 48;
     case PixelFormat::Srgb8Alpha8:
     case PixelFormat::R32f:
       return 4;
@@ -224,7 +244,9 @@ struct Lifetime {
 Lifetime lifetimeOf(BufferId id, const std::vector<PassStep>& steps) {
   const Resource resource = id.resource;
   // Kept for the next frame, or given away after this one.
-  if (resource == Resource::Background || resource == Resource::Stencil) return {0, steps.size()};
+  if (resource == Resource::Background || resource == Resource::SceneDepth || resource == Resource::BodySamples ||
+      resource == Resource::Stencil)
+    return {0, steps.size()};
   Lifetime life{steps.size(), 0};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto has = [&](const std::vector<BufferId>& ids) { return std::ranges::find(ids, id) != ids.end(); };

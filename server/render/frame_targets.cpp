@@ -21,6 +21,8 @@ GLenum internalFormat(PixelFormat format) {
       return GL_R32F;
     case PixelFormat::Stencil8:
       return GL_STENCIL_INDEX8;
+    case PixelFormat::Rgba16fDepth32fTimes4:
+      break;  // two textures, which their pass makes
   }
   return GL_NONE;
 }
@@ -54,6 +56,7 @@ void FrameTargets::fit(const FramePlan& plan) {
   // Owners of memory before those who use it.
   for (const bool shared : {false, true}) {
     for (const PictureBuffer& buffer : plan.buffers) {
+      if (buffer.id.resource == Resource::BodySamples) continue;
       if (buffer.id.resource != Resource::Stencil && buffer.sharedWith.has_value() == shared) make(buffer, plan);
     }
   }

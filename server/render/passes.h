@@ -25,11 +25,11 @@ namespace sluice::render {
 class BackgroundPass {
  public:
   BackgroundPass();
-  void run(const FrameContext& frame) const;
+  void run(const FrameContext& frame);
 
  private:
   gl::Program sky_;
-  gl::Program floor_;
+  std::map<std::pair<bool, bool>, gl::Program> floors_;  ///< By whether bodies shade it, and lamps light it.
 };
 
 /// Copies the background into the scene and puts the sunlight right that meets the floor behind liquid.
@@ -83,10 +83,11 @@ class SmoothThicknessPass {
 class MaskPass {
  public:
   MaskPass();
-  void run(const FrameContext& frame) const;
+  void run(const FrameContext& frame);
 
  private:
   gl::Program program_;
+  std::optional<gl::Program> withBodies_;
 };
 
 /// The farthest side of the liquid's splats.
@@ -150,7 +151,7 @@ class SprayPass {
   void run(const FrameContext& frame);
 
  private:
-  std::map<std::pair<bool, bool>, gl::Program> programs_;  ///< By whether its liquid, and others, have surfaces.
+  std::map<std::vector<std::string_view>, gl::Program> programs_;  ///< By what may hide it.
 };
 
 /// Adds up the optical depth of spray, foam and bubbles: on the CPU where that is what draws anyway.

@@ -6,10 +6,12 @@ namespace sluice::render {
 
 void Planner::planBackground() {
   allocate(Resource::Background, PixelFormat::Rgba16f, size_);
+  if (scene_.lighting().point_lights().empty()) leaveOut("lamps", "lighting.point_lights is empty");
   if (reuse_.background) {
     leaveOut(Pass::Background, "camera, size and background are those of the last frame");
   } else {
-    run(Pass::Background, {}, {Resource::Background});
+    run(Pass::Background, hasBodies() ? std::vector{Resource::BodyShadowMap} : std::vector<Resource>{},
+        {Resource::Background});
   }
 }
 

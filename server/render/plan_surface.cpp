@@ -48,7 +48,11 @@ void Planner::planSplats() {
   allocate(Resource::Stencil, PixelFormat::Stencil8, surfaceSize());
 }
 
-void Planner::planMask() { run(Pass::Mask, {Resource::Surface}, {Resource::Stencil}); }
+void Planner::planMask() {
+  std::vector<Resource> reads{Resource::Surface};
+  if (hasBodies()) reads.push_back(Resource::SceneDepth);
+  run(Pass::Mask, reads, {Resource::Stencil});
+}
 
 void Planner::planSmoothing() {
   const v1::Smoothing& smoothing = look().smoothing();
@@ -120,6 +124,7 @@ void Planner::planThickness() {
   } else {
     leaveOut(Pass::SmoothThickness, "look.thickness.smoothing_in_spacings is 0");
   }
+  if (hasBodies() && !isStudy(scene_.view())) run(Pass::ClipThickness, {Resource::Surface, Resource::SceneDepth}, {Resource::Thickness});
 }
 
 }  // namespace sluice::render

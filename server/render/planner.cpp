@@ -26,17 +26,23 @@ FramePlan Planner::plan() {
     planToneMap();
     return std::move(plan_);
   }
+  planBodyShadow();
   planBackground();
+  planBodies();
   planSunlight();
   if (liquidsWithSplats() == 0) {
     leaveOut("liquid", "no particle is in the picture");
     if (anySpray()) run(Pass::SelectSplats, {Resource::Particles}, {Resource::SplatList});
+    planGlassBehind();
   } else {
     forEachLiquid([&] { planSurface(); });
+    planGlassBehind();
     planComposites();
+    planBodyEdges();
   }
   planSpray();
   planFoam();
+  planGlassBefore();
   planToneMap();
   return std::move(plan_);
 }

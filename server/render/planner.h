@@ -24,6 +24,14 @@ class Planner {
   void planBackground();
   void planSunlight();
   void planCaustics();
+  // plan_bodies.cpp
+  bool hasBodies() const;
+  bool hasGlass() const;
+  void planBodyShadow();
+  void planBodies();
+  void planBodyEdges();
+  void planGlassBehind();
+  void planGlassBefore();
   // plan_surface.cpp
   void planSurface();
   void planSplats();

@@ -5,13 +5,14 @@ namespace sluice::render {
 void SprayPass::run(const FrameContext& frame) {
   const bool hasLiquid = frame.plan.runs(Pass::Composite, frame.liquid);
   const bool hasOthers = frame.plan.layers > 1 || (!hasLiquid && frame.plan.runs(Pass::Composite));
-  auto program = programs_.find({hasLiquid, hasOthers});
+  const bool hasBodies = frame.targets.has(Resource::SceneDepth);
+  std::vector<std::string_view> defines;
+  if (hasLiquid) defines.emplace_back("LIQUID");
+  if (hasOthers) defines.emplace_back("LAYERED");
+  if (hasBodies) defines.emplace_back("BODIES");
+  auto program = programs_.find(defines);
   if (program == programs_.end()) {
-    std::vector<std::string_view> defines;
-    if (hasLiquid) defines.emplace_back("LIQUID");
-    if (hasOthers) defines.emplace_back("LAYERED");
-    program = programs_.emplace(std::pair(hasLiquid, hasOthers), shaders().program("spray.vert", "spray.frag", defines))
-                  .first;
+    program = programs_.emplace(defines, shaders().program("spray.vert", "spray.frag", defines)).first;
   }
   beginTarget(frame, Resource::Picture);
   glEnable(GL_BLEND);
@@ -20,6 +21,7 @@ void SprayPass::run(const FrameContext& frame) {
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (hasLiquid) bindTexture(frame, 0, Resource::Surface);
   if (hasOthers) bindOtherSurfaces(frame, program->second);
+  if (hasBodies) bindTexture(frame, 7, Resource::SceneDepth);
   glUseProgram(program->second.name());
   aimSplats(program->second, frame.view, false);
   frame.splats.spray.drawRectangles();

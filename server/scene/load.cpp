@@ -8,6 +8,21 @@ namespace sluice::scene {
 
 using core::InputError;
 
+std::vector<FileReference> filesOf(v1::Scene& scene) {
+  std::vector<FileReference> files;
+  if (scene.has_particle_file()) files.push_back({"particle_file.path", scene.mutable_particle_file()->mutable_path()});
+  if (scene.background().has_environment_map()) {
+    files.push_back(
+        {"background.environment_map.path", scene.mutable_background()->mutable_environment_map()->mutable_path()});
+  }
+  for (int i = 0; i < scene.bodies_size(); ++i) {
+    if (!scene.bodies(i).has_mesh()) continue;
+    files.push_back(
+        {"bodies[" + std::to_string(i) + "].mesh.path", scene.mutable_bodies(i)->mutable_mesh()->mutable_path()});
+  }
+  return files;
+}
+
 v1::Scene load(const std::filesystem::path& file) {
   // A thousand blocks take about 100 kB.
   constexpr std::uintmax_t kLargestFile = 4U << 20U;
@@ -26,10 +41,9 @@ v1::Scene load(const std::filesystem::path& file) {
   if (!stream || text.size() < size) throw InputError(file.string(), "", "cannot be read");
 
   v1::Scene scene = parse(text, file.string());
-  if (scene.has_particle_file()) {
-    std::string& path = *scene.mutable_particle_file()->mutable_path();
+  for (const FileReference& reference : filesOf(scene)) {
     // An absolute path on the right replaces the folder.
-    path = (file.parent_path() / path).lexically_normal().string();
+    *reference.path = (file.parent_path() / *reference.path).lexically_normal().string();
   }
   return scene;
 }

@@ -159,6 +159,16 @@ TEST(ServiceScene, ViewersCannotReadTheServersFiles) {
   const v1::ServerMessage updated =
       viewer.receiveReply(viewer.send(updateMessage("particle_file { path: \"/etc/passwd\" }", {"particle_file"})));
   ASSERT_TRUE(updated.has_error());
+
+  const v1::ServerMessage body =
+      viewer.receiveReply(viewer.send(updateMessage("bodies { mesh { path: \"/etc/shape.obj\" } }", {"bodies"})));
+  ASSERT_TRUE(body.has_error());
+  EXPECT_EQ(body.error().field_path(), "bodies[0].mesh.path");
+
+  const v1::ServerMessage sky = viewer.receiveReply(viewer.send(
+      updateMessage("background { environment_map { path: \"/etc/sky.hdr\" } }", {"background.environment_map"})));
+  ASSERT_TRUE(sky.has_error());
+  EXPECT_EQ(sky.error().field_path(), "background.environment_map.path");
 }
 
 }  // namespace

@@ -18,7 +18,9 @@ namespace sluice::render {
 
 /// Everything a frame may run, in the order in which it runs.
 enum class Pass : std::uint8_t {
+  BodyShadow,
   Background,
+  Bodies,
   Sunlight,
   SelectSplats,
   Splats,
@@ -28,9 +30,11 @@ enum class Pass : std::uint8_t {
   Thickness,
   LargeThickness,
   SmoothThickness,
+  ClipThickness,
   BackSplats,
   BackSmoothing,
   Noise,
+  GlassBehind,
   BeginPicture,
   ExtendScene,
   Composite,
@@ -38,9 +42,11 @@ enum class Pass : std::uint8_t {
   VelocityMap,
   ColourMap,
   Study,
+  BodyEdges,
   Spray,
   Foam,
   BlendFoam,
+  GlassBefore,
   ToneMap,
 };
 
@@ -49,6 +55,9 @@ enum class Resource : std::uint8_t {
   Particles,       ///< Positions, as they came.
   SplatList,       ///< Which particles are drawn, and how.
   LightMap,        ///< What becomes of sunlight that passes the liquid.
+  BodyShadowMap,   ///< Depth of the bodies as the sun sees them.
+  BodySamples,     ///< Light and depth of the bodies, four samples a pixel.
+  SceneDepth,      ///< Inverse eye depth of floor and bodies, 1/m; 0 where there is none.
   Background,      ///< What surrounds the liquid, in linear light; alpha is the share that comes from the sun.
   Scene,           ///< The same with what the liquid does to the sunlight, and with liquids farther off.
   Surface,         ///< Inverse eye depth q = 1/z of the liquid's front, 1/m; 0 where there is none.
@@ -123,6 +132,7 @@ struct DataTraits {
 /// What stayed valid since the frame before.
 struct ReuseTraits {
   bool background = false;
+  bool bodies = false;   ///< Bodies, where they stand, and the sun.
   bool picture = false;  ///< The whole picture: nothing has moved or changed.
 };
 
@@ -157,7 +167,7 @@ struct PassStep {
   bool operator==(const PassStep&) const = default;
 };
 
-enum class PixelFormat : std::uint8_t { Rgba32f, Rgba16f, Srgb8Alpha8, R32f, Stencil8 };
+enum class PixelFormat : std::uint8_t { Rgba32f, Rgba16f, Rgba16fDepth32fTimes4, Srgb8Alpha8, R32f, Stencil8 };
 
 std::uint64_t bytesPerPixel(PixelFormat format);
 

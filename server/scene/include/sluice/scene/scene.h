@@ -22,6 +22,15 @@ v1::Scene parse(std::string_view text, const std::string& fileName);
 /// A scene file. Relative paths inside it are relative to its folder.
 v1::Scene load(const std::filesystem::path& file);
 
+/// A field of a scene that names a file.
+struct FileReference {
+  std::string fieldPath;
+  std::string* path;  ///< In the scene.
+};
+
+/// Every file that a scene reads.
+std::vector<FileReference> filesOf(v1::Scene& scene);
+
 struct ShippedScene {
   std::string name;
   std::string title;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "sluice/core/particle_snapshot.h"
+#include "sluice/particleio/mesh_file.h"
+#include "sluice/v1/scene.pb.h"
+
+namespace sluice::render {
+
+struct BodyVertex {
+  Eigen::Vector3f position;  ///< m, about the body's middle.
+  Eigen::Vector3f normal;    ///< Unit.
+};
+
+/// Where two panes of glass meet, or one ends: a chain of straight pieces.
+using BodyRim = std::vector<Eigen::Vector3f>;
+
+/// A body's surface. Triangles are counter-clockwise as seen from outside.
+struct BodyMesh {
+  std::vector<BodyVertex> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<BodyRim> rims;  ///< None for what is smooth, or has no edges that are known.
+};
+
+BodyMesh makeBox(const v1::BoxShape& box);
+BodyMesh makeSphere(const v1::SphereShape& sphere);
+BodyMesh makeCylinder(const v1::CylinderShape& cylinder);
+
+/// A file's triangles, `scale` m per unit. Vertices without a normal get the mean of the faces around them, weighted by
+/// their angles there [Thürmer & Wüthrich 1998, Computing vertex normals from polygonal facets].
+BodyMesh makeMesh(const particleio::TriangleMesh& file, float scale);
+
+/// From the body's own axes to the scene: where the scene puts it, or where it has moved to.
+Eigen::Isometry3f poseOf(const v1::Body& body);
+Eigen::Isometry3f poseOf(const core::BodyPose& pose);
+
+}  // namespace sluice::render

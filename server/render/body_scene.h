@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "body_mesh.h"
+#include "sluice/gl/objects.h"
+
+namespace sluice::render {
+
+/// A mesh and its copy on the device.
+struct BodyModel {
+  BodyMesh mesh;
+  gl::Buffer vertices;
+  gl::Buffer indices;
+  gl::VertexArray array;
+
+  explicit BodyModel(BodyMesh given);
+  void draw() const;
+};
+
+struct BodyInstance {
+  std::shared_ptr<const BodyModel> model;
+  Eigen::Isometry3f pose;
+  v1::Body body;
+
+  bool isGlass() const { return body.has_glass(); }
+};
+
+/// The bodies of a scene where they stand at the moment. Models are kept while a scene uses them.
+class BodyScene {
+ public:
+  /// Throws core::InputError where a mesh's file cannot be read; the bodies then are what they were.
+  void update(const v1::Scene& scene, std::span<const core::BodyPose> poses);
+
+  /// Counts the changes that `update` has seen, of bodies and of the sun.
+  std::uint64_t changes() const { return changes_; }
+  const std::vector<BodyInstance>& bodies() const { return bodies_; }
+
+  /// Around the bodies that are no glass; of radius 0 where there are none.
+  struct Ball {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    float radius = 0;
+  };
+  Ball matteBounds() const;
+
+ private:
+  std::shared_ptr<const BodyModel> modelOf(const v1::Body& body);
+
+  std::map<std::string, std::shared_ptr<const BodyModel>> models_;  ///< By shape, serialized.
+  std::vector<BodyInstance> bodies_;
+  v1::Scene scene_;  ///< Bodies and lights of the last update.
+  std::vector<core::BodyPose> poses_;
+  std::uint64_t changes_ = 0;
+};
+
+/// The ball around a model's bounding box, in the scene.
+BodyScene::Ball boundsOf(const BodyInstance& body);
+
+}  // namespace sluice::render
