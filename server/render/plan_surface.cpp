@@ -124,7 +124,8 @@ void Planner::planThickness() {
   } else {
     leaveOut(Pass::SmoothThickness, "look.thickness.smoothing_in_spacings is 0");
   }
-  if (hasBodies() && !isStudy(scene_.view())) run(Pass::ClipThickness, {Resource::Surface, Resource::SceneDepth}, {Resource::Thickness});
+  if (hasBodies() && !isStudy(scene_.view()))
+    run(Pass::ClipThickness, {Resource::Surface, Resource::SceneDepth}, {Resource::Thickness});
 }
 
 }  // namespace sluice::render
