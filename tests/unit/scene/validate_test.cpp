@@ -66,8 +66,11 @@ TEST(Validate, ComparesNeighbouringFields) {
 TEST(Validate, CountsTheElementsOfLists) {
   auto error = errorAfter([](v1::Scene& s) { s.mutable_simulation()->clear_fluids(); });
   EXPECT_STREQ(error.what(), "simulation.fluids: has 0 elements; needs at least 1");
-  error = errorAfter([](v1::Scene& s) { *s.mutable_simulation()->add_fluids() = s.simulation().fluids(0); });
-  EXPECT_STREQ(error.what(), "simulation.fluids: has 2 elements; allowed are at most 1");
+  error = errorAfter([](v1::Scene& s) {
+    const v1::Fluid fluid = s.simulation().fluids(0);
+    while (s.simulation().fluids_size() < 9) *s.mutable_simulation()->add_fluids() = fluid;
+  });
+  EXPECT_STREQ(error.what(), "simulation.fluids: has 9 elements; allowed are at most 8");
 }
 
 TEST(Validate, AsksForWhatIsRequired) {
