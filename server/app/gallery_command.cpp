@@ -135,8 +135,7 @@ void addViews(Gallery& gallery) {
     const google::protobuf::FieldDescriptor& view = *views.field(i);
     const std::string name = "view_" + view.name();
     if (view.name() == "picture" || !gallery.wants(name)) continue;
-    // With noise and foam, so that the views of both have something to show.
-    const LiveScene live = loadScene(kSampleScene, {"view." + view.name() + "={}", "look.noise={}", "foam={}"});
+    const LiveScene live = loadScene(kSampleScene, {"view." + view.name() + "={}"});
     gallery.addPicture(name, withSpaces(view.name()) + ": " + view.options().GetExtension(v1::info).doc(), live.scene,
                        kSampleSeconds);
   }

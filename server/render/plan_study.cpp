@@ -8,8 +8,6 @@ void Planner::planStudies() {
   leaveOut(Pass::Sunlight, "a study view stands before plain grey");
   leaveOut(Pass::Composite, "a study view is shown");
   leaveOut(Pass::Spray, "a study view is shown");
-  if (view.has_noise()) leaveOut("noise", "the scene has none");
-  if (view.has_foam()) leaveOut("foam", "the scene has none");
   allocate(Resource::Picture, PixelFormat::Rgba16f, size_);
   run(Pass::BeginPicture, {}, {Resource::Picture});
   for (int layer = 0; layer < plan_.layers; ++layer) {

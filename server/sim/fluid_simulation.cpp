@@ -64,6 +64,7 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Simulatio
     : settings_(settings),
       options_(options),
       team_(threads),
+      mixture_(settings),
       container_(container),
       support_(support),
       volume_(volume),
@@ -78,6 +79,7 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Simulatio
 void FluidSimulation::reset() {
   state_ = checkedInitialState(settings_, container_);
   previous_.resize(state_.size());
+  previous_.fluid.resize(state_.fluid.size());
   statistics_ = {};
   time_ = lastStepSeconds_ = 0;
   length_ = {};
@@ -122,7 +124,8 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   auto snapshot = std::make_unique<core::ParticleSnapshot>();
   snapshot->time = time_;
   snapshot->spacing = settings_.particle_spacing();
-  snapshot->restDensity = settings_.fluids(0).rest_density();
+  snapshot->restDensity = mixture_.restDensities().front();
+  if (mixture_.several()) snapshot->restDensities = mixture_.restDensities();
   snapshot->positions.resize(state_.size());
   snapshot->velocities.resize(state_.size());
   snapshot->densities.resize(state_.size());
@@ -130,11 +133,13 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   snapshot->pressures.resize(state_.size());
   // Every particle is there from the start.
   snapshot->ages.assign(state_.size(), static_cast<float>(time_));
+  snapshot->fluids = state_.fluid;
   snapshot->supportRadius = support_;
   snapshot->neighbours.resize(state_.size());
-  const auto restDensity = static_cast<float>(snapshot->restDensity);
-  // κ = p·dt/ρ0: u = v − dt/ρ0·∇p, see PressureSolve. Of the density solve, which is the one that carries gravity.
-  const float pressureOfImpulse = lastStepSeconds_ > 0 ? restDensity / static_cast<float>(lastStepSeconds_) : 0.0F;
+  const std::vector<float> restDensity(mixture_.restDensities().begin(), mixture_.restDensities().end());
+  // κ = p·dt/ρ_max: u = v − dt/ρ·∇p, see Mixture. Of the density solve, which is the one that carries gravity.
+  const float pressureOfImpulse =
+      lastStepSeconds_ > 0 ? static_cast<float>(mixture_.heaviest() / lastStepSeconds_) : 0.0F;
   const Eigen::Vector3f origin(static_cast<float>(container_.origin[0]), static_cast<float>(container_.origin[1]),
                                static_cast<float>(container_.origin[2]));
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
@@ -143,7 +148,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
       const Float4& v = state_.velocity[i];
       snapshot->positions[i] = origin + Eigen::Vector3f(x.x, x.y, x.z);
       snapshot->velocities[i] = {v.x, v.y, v.z};
-      snapshot->densities[i] = restDensity * lists_.density()[i];
+      snapshot->densities[i] = restDensity[state_.fluid.empty() ? 0 : state_.fluid[i]] * lists_.density()[i];
       snapshot->pressures[i] = pressureOfImpulse * state_.densityImpulse[i];
     }
     lists_.countFluidNeighbours(chunk, snapshot->neighbours);
@@ -169,6 +174,7 @@ void FluidSimulation::update(const v1::Scene& scene) {
     settings_.mutable_fluids(f)->set_name(next.fluids(f).name());
     settings_.mutable_fluids(f)->set_viscosity(next.fluids(f).viscosity());
   }
+  mixture_.setViscosities(settings_);
   // What stopped it (a smallest time step, too few iterations) may just have been changed.
   halted_.clear();
   recoverySeconds_ = std::numeric_limits<double>::infinity();
@@ -180,7 +186,8 @@ core::Plan FluidSimulation::plan() const {
     plan.buffers.push_back({std::string(name), bytes});
   };
   const std::uint64_t particles = state_.size();
-  add("state, twice", 2 * particles * (2 * sizeof(Float4) + 2 * sizeof(float) + sizeof(std::uint32_t)));
+  add("state, twice", 2 * particles * (2 * sizeof(Float4) + 2 * sizeof(float) + sizeof(std::uint32_t)) +
+                          (state_.fluid.size() + previous_.fluid.size()) * sizeof(std::uint8_t));
   add("pairs and sums", lists_.bytes());
   add("pressure solve", solver_.bytes());
   add("factors", (factor_.size() + divergenceFactor_.size()) * sizeof(float));

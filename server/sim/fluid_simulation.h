@@ -8,6 +8,7 @@
 #include "boundary.h"
 #include "cell_grid.h"
 #include "initial_state.h"
+#include "mixture.h"
 #include "neighbour_lists.h"
 #include "particles.h"
 #include "pressure_solve.h"
@@ -46,6 +47,8 @@ class FluidSimulation : public core::ParticleSource {
   const ParticleState& state() const { return state_; }
   const NeighbourLists& neighbours() const { return lists_; }
   const BoxBoundary& boundary() const { return boundary_; }
+  /// The fluids; the state's impulses times mixture().heaviest() over the step's length are pressures.
+  const Mixture& mixture() const { return mixture_; }
   core::StepStatistics statistics() const override { return statistics_; }
   /// Particles that have been held at the container's faces by force, since the initial state.
   std::uint64_t wallContacts() const { return wallContacts_; }
@@ -73,6 +76,7 @@ class FluidSimulation : public core::ParticleSource {
   v1::Simulation settings_;
   SimulationOptions options_;
   Team team_;
+  Mixture mixture_;
   Container container_;
   double support_;
   double volume_;
@@ -84,7 +88,7 @@ class FluidSimulation : public core::ParticleSource {
   CellGrid grid_;
   NeighbourLists lists_;
   PressureSolve solver_;
-  std::vector<float> factor_;            ///< α_i, m².
+  std::vector<float> factor_;            ///< α_i, m² (see PressureSolve).
   std::vector<float> divergenceFactor_;  ///< α_i, 0 near a free surface.
   std::vector<Float4> scratch_;
 

@@ -29,6 +29,9 @@ constexpr double kRecoveryGrowth = 1.25;
 constexpr double kDensityWarmStart = 0.5;
 constexpr double kDivergenceWarmStart = 0.5;
 
+// Fluids further apart in rest density than this are worth a word where a density solve fails.
+constexpr double kDemandingRatio = 10;
+
 // Fewer neighbours than this mark a free surface in three dimensions, where divergence is no sign of compression
 // [BK17].
 constexpr std::uint16_t kFullNeighbourhood = 20;
@@ -152,9 +155,9 @@ void FluidSimulation::run(Stage stage) {
 }
 
 void FluidSimulation::chooseLength() {
-  length_ = chooseTimeStep(settings_.time_step(),
-                           {settings_.particle_spacing(), support_, maxSpeed_, norm(settings_.gravity()),
-                            settings_.fluids(0).viscosity(), recoverySeconds_});
+  length_ =
+      chooseTimeStep(settings_.time_step(), {settings_.particle_spacing(), support_, maxSpeed_,
+                                             norm(settings_.gravity()), mixture_.largestViscosity(), recoverySeconds_});
   if (length_.seconds < settings_.time_step().min_seconds()) {
     std::ostringstream text;
     text << "the bound \"" << length_.limit << "\" allows " << length_.seconds << " s";
@@ -169,21 +172,20 @@ void FluidSimulation::solveDivergence() {
   goal.tolerance = dfsph.divergence_error() / 100;
   goal.maxIterations = dfsph.max_iterations();
   scaleImpulses(state_.divergenceImpulse, dfsph.warm_start() ? kDivergenceWarmStart : 0);
-  const SolveOutcome outcome =
-      solver_.run(goal, lists_, divergenceFactor_, state_.velocity, state_.divergenceImpulse, team_);
+  const SolveOutcome outcome = solver_.run(goal, lists_, mixture_.mobility(state_.fluid), divergenceFactor_,
+                                           state_.velocity, state_.divergenceImpulse, team_);
   statistics_.divergenceIterations = outcome.iterations;
 }
 
 void FluidSimulation::applyViscosity() {
-  // a_i = 2(D+2) ν Σ_j V_j (v_ij·x_ij) / (|x_ij|² + 0.01 H²) ∇W_ij with D = 3, Monaghan 1992 (the classical form, which
-  // keeps linear and angular momentum); as ∇W_ij is parallel to x_ij, (v_ij·x_ij) ∇W_ij = (v_ij·∇W_ij) x_ij. Walls are
-  // free of friction.
-  constexpr double kDimensions = 3;
-  const auto strength = static_cast<float>(2 * (kDimensions + 2) * settings_.fluids(0).viscosity() * length_.seconds);
+  // a_i = 2(D+2) Σ_j ν_ij V_j (v_ij·x_ij) / (|x_ij|² + 0.01 H²) ∇W_ij with D = 3, Monaghan 1992 (the classical form,
+  // which keeps linear and angular momentum); as ∇W_ij is parallel to x_ij, (v_ij·x_ij) ∇W_ij = (v_ij·∇W_ij) x_ij.
+  // Walls are free of friction.
+  const PairFriction friction = mixture_.friction(state_.fluid, length_.seconds);
   scratch_.resize(state_.size());
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
-    lists_.loops().applyViscosity(lists_.chunk(chunk), lists_.scale(), state_.position.data(), state_.velocity.data(),
-                                  strength, scratch_.data());
+    lists_.loops().applyViscosity(lists_.chunk(chunk), lists_.scale(), friction, state_.position.data(),
+                                  state_.velocity.data(), scratch_.data());
   });
   state_.velocity.swap(scratch_);
 }
@@ -210,7 +212,8 @@ void FluidSimulation::solveDensity() {
   // An impulse is pressure times time: the same pressure over a step of another length.
   const double ratio = lastStepSeconds_ > 0 ? length_.seconds / lastStepSeconds_ : 0;
   scaleImpulses(state_.densityImpulse, dfsph.warm_start() ? kDensityWarmStart * ratio : 0);
-  const SolveOutcome outcome = solver_.run(goal, lists_, factor_, state_.velocity, state_.densityImpulse, team_);
+  const SolveOutcome outcome = solver_.run(goal, lists_, mixture_.mobility(state_.fluid), factor_, state_.velocity,
+                                           state_.densityImpulse, team_);
   statistics_.densityIterations = outcome.iterations;
 
   const double sane = std::max(kSaneCompression, 10 * goal.tolerance);
@@ -218,6 +221,11 @@ void FluidSimulation::solveDensity() {
     std::ostringstream text;
     text << "the density solve left a mean compression of " << 100 * outcome.meanError << " % after "
          << outcome.iterations << " iterations";
+    // Jacobi iteration moves pressure on slowly where a light fluid carries a heavy one.
+    if (mixture_.densityRatio() > kDemandingRatio) {
+      text << ", in fluids whose rest densities differ by a factor of " << mixture_.densityRatio()
+           << " (more simulation.dfsph.max_iterations, or rest densities closer to each other, would help)";
+    }
     trouble_ = text.str();
   }
 }
@@ -281,6 +289,7 @@ void FluidSimulation::sort() {
   std::swap(state_, previous_);
   grid_.sort(previous_.position, team_);
   state_.resize(previous_.size());
+  state_.fluid.resize(previous_.fluid.size());
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
       const std::uint32_t from = grid_.order()[i];
@@ -290,6 +299,8 @@ void FluidSimulation::sort() {
       state_.divergenceImpulse[i] = previous_.divergenceImpulse[from];
       state_.id[i] = previous_.id[from];
     }
+    if (!mixture_.several()) return;
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) state_.fluid[i] = previous_.fluid[grid_.order()[i]];
   });
 }
 
@@ -310,11 +321,15 @@ void FluidSimulation::computeFactors() {
   divergenceFactor_.resize(state_.size());
   // Below this share of 1/H² there is no neighbour to push against.
   const float least = 1e-6F / static_cast<float>(support_ * support_);
+  const Mobility mobility = mixture_.mobility(state_.fluid);
   const auto compression = team_.sumOverChunks<CompressionSum>(state_.size(), [&](const Chunk& chunk) {
     CompressionSum part;
+    if (mobility.fluid != nullptr) lists_.loops().weighSquares(lists_.chunk(chunk), mobility, factor_.data());
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
       const Float4& d = lists_.gradientSum()[i];
-      const float denominator = (d.x * d.x + d.y * d.y + d.z * d.z) + lists_.gradientSquares()[i];  // 1/α_i [BK17]
+      const float own = d.x * d.x + d.y * d.y + d.z * d.z;
+      const float denominator = mobility.fluid == nullptr ? own + lists_.gradientSquares()[i]  // 1/α_i [BK17]
+                                                          : mobility.ofFluid[state_.fluid[i]] * own + factor_[i];
       factor_[i] = denominator > least ? 1 / denominator : 0;
       divergenceFactor_[i] = lists_.neighbours()[i] >= kFullNeighbourhood ? factor_[i] : 0;
       const float compressed = std::max(lists_.density()[i] - 1.0F, 0.0F);

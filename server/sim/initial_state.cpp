@@ -106,6 +106,7 @@ ParticleState initialState(const v1::Simulation& simulation, const Container& co
         }
       }
       state.velocity.resize(state.position.size(), velocity);
+      if (simulation.fluids_size() > 1) state.fluid.resize(state.position.size(), static_cast<std::uint8_t>(f));
     }
   }
   state.resize(state.position.size());

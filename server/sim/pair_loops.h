@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -70,6 +71,21 @@ struct PairList {
   float quantum;
 };
 
+/// Fluids that a simulation may hold.
+inline constexpr std::size_t kMostFluids = 8;
+
+/// How far one pressure impulse moves a particle: w_i = `ofFluid[fluid[i]]`, in inverse proportion to its mass.
+struct Mobility {
+  const std::uint8_t* fluid = nullptr;  ///< Array over all particles; null where w = 1 for all.
+  std::array<float, kMostFluids> ofFluid{};
+};
+
+/// Strength of the friction that a particle of one fluid (first index) feels of one of another, m².
+struct PairFriction {
+  const std::uint8_t* fluid = nullptr;  ///< Array over all particles; null where strength[0][0] is that of all pairs.
+  std::array<std::array<float, kMostFluids>, kMostFluids> strength{};
+};
+
 /// What a chunk contributes to the error of a pressure solve.
 struct SolveError {
   double sum = 0;     ///< Σ max(error_i, 0).
@@ -98,10 +114,13 @@ struct PairLoops {
   void (*addBoundary)(const PairScale&, const Candidates&, const Float4* position, std::uint32_t first,
                       std::uint32_t last, const PairSums&);
 
-  /// u_i = v_i - (κ_i D_i + Σ_j κ_j V ∇W_ij): velocities after the pressure impulses κ (in all four lanes of a
+  /// Writes Σ_j w_j |V_j ∇W_ij|², 1/m². `mobility` has fluids.
+  void (*weighSquares)(const PairList&, const Mobility& mobility, float* result);
+
+  /// u_i = v_i - w_i (κ_i D_i + Σ_j κ_j V ∇W_ij): velocities after the pressure impulses κ (in all four lanes of a
   /// Float4), m²/s.
-  void (*applyImpulses)(const PairList&, const Float4* impulse, const Float4* gradientSum, const Float4* velocity,
-                        Float4* result);
+  void (*applyImpulses)(const PairList&, const Mobility&, const Float4* impulse, const Float4* gradientSum,
+                        const Float4* velocity, Float4* result);
 
   /// One relaxed Jacobi step of κ towards a density rate (D u)_i = u_i·D_i - Σ_j u_j·V ∇W_ij of at most
   /// (1 - ρ̃_i)/`seconds`, or of at most 0 where `density` is null. Particles of factor 0 keep κ = 0. Returns the error
@@ -109,9 +128,9 @@ struct PairLoops {
   SolveError (*relaxImpulses)(const PairList&, const Float4* velocity, const Float4* gradientSum, const float* factor,
                               const float* density, float seconds, Float4* impulse);
 
-  /// result_i = v_i + `strength` Σ_j (v_ij·V∇W_ij) x_ij / (|x_ij|² + 0.01 H²).
-  void (*applyViscosity)(const PairList&, const PairScale&, const Float4* position, const Float4* velocity,
-                         float strength, Float4* result);
+  /// result_i = v_i + Σ_j strength_ij (v_ij·V∇W_ij) x_ij / (|x_ij|² + 0.01 H²).
+  void (*applyViscosity)(const PairList&, const PairScale&, const PairFriction&, const Float4* position,
+                         const Float4* velocity, Float4* result);
 };
 
 /// The fastest loops that this machine can run.

@@ -25,12 +25,42 @@ SLUICE_INLINE Lanes4 sumOverPairs(const PairGroup*& group, int count, const Floa
   return sumQuarters(sum);
 }
 
-void applyImpulses(const PairList& list, const Float4* impulse, const Float4* gradientSum, const Float4* velocity,
-                   Float4* result) {
+/// A value for each of a group's four pairs, in all lanes of the pair: `ofFluid` by the neighbour's fluid.
+SLUICE_INLINE Lanes byFluid(const std::uint8_t* fluid, const float* ofFluid, const PairGroup& group) {
+  const auto value = [&](int pair) { return Lanes4{} + ofFluid[fluid[group.neighbour[pair]]]; };
+  return join(value(0), value(1), value(2), value(3));
+}
+
+void weighSquares(const PairList& list, const Mobility& mobility, float* result) {
+  const PairGroup* group = list.groups;
+  for (std::uint32_t i = list.first; i < list.last; ++i) {
+    Lanes sum{};
+    for (const PairGroup* end = group + list.groupCount[i]; group != end; ++group) {
+      const Lanes gradient = gradients(*group);
+      sum += byFluid(mobility.fluid, mobility.ofFluid.data(), *group) * (gradient * gradient);
+    }
+    result[i] = sumLanes(sum) * (list.quantum * list.quantum);
+  }
+}
+
+template <bool kUnequal>
+SLUICE_INLINE void applyImpulsesTo(const PairList& list, const Mobility& mobility, const Float4* impulse,
+                                   const Float4* gradientSum, const Float4* velocity, Float4* result) {
   const PairGroup* group = list.groups;
   for (std::uint32_t i = list.first; i < list.last; ++i) {
     const Lanes4 sum = sumOverPairs(group, list.groupCount[i], impulse) * list.quantum;
-    store(result + i, load<Lanes4>(velocity + i) - (load<Lanes4>(impulse + i) * load<Lanes4>(gradientSum + i) + sum));
+    Lanes4 change = load<Lanes4>(impulse + i) * load<Lanes4>(gradientSum + i) + sum;
+    if constexpr (kUnequal) change *= mobility.ofFluid[mobility.fluid[i]];
+    store(result + i, load<Lanes4>(velocity + i) - change);
+  }
+}
+
+void applyImpulses(const PairList& list, const Mobility& mobility, const Float4* impulse, const Float4* gradientSum,
+                   const Float4* velocity, Float4* result) {
+  if (mobility.fluid == nullptr) {
+    applyImpulsesTo<false>(list, mobility, impulse, gradientSum, velocity, result);
+  } else {
+    applyImpulsesTo<true>(list, mobility, impulse, gradientSum, velocity, result);
   }
 }
 
@@ -55,8 +85,9 @@ SolveError relaxImpulses(const PairList& list, const Float4* velocity, const Flo
   return error;
 }
 
-void applyViscosity(const PairList& list, const PairScale& scale, const Float4* position, const Float4* velocity,
-                    float strength, Float4* result) {
+template <bool kSeveral>
+SLUICE_INLINE void applyViscosityOf(const PairList& list, const PairScale& scale, const PairFriction& friction,
+                                    const Float4* position, const Float4* velocity, Float4* result) {
   const Lanes softening = splat(0.01F * scale.support * scale.support);
   const PairGroup* group = list.groups;
   for (std::uint32_t i = list.first; i < list.last; ++i) {
@@ -64,13 +95,25 @@ void applyViscosity(const PairList& list, const PairScale& scale, const Float4* 
     const Lanes4 vi = load<Lanes4>(velocity + i);
     const Lanes x4 = join(xi, xi, xi, xi);
     const Lanes v4 = join(vi, vi, vi, vi);
+    const float* strength = friction.strength[0].data();
+    if constexpr (kSeveral) strength = friction.strength[friction.fluid[i]].data();
     Lanes sum{};
     for (const PairGroup* end = group + list.groupCount[i]; group != end; ++group) {
       const Lanes xij = x4 - ofNeighbours(position, *group);
-      const Lanes approach = sumWithinQuarters((v4 - ofNeighbours(velocity, *group)) * gradients(*group));
+      Lanes approach = sumWithinQuarters((v4 - ofNeighbours(velocity, *group)) * gradients(*group));
+      if constexpr (kSeveral) approach *= byFluid(friction.fluid, strength, *group);
       sum += approach / (sumWithinQuarters(xij * xij) + softening) * xij;
     }
-    store(result + i, vi + sumQuarters(sum) * (strength * list.quantum));
+    store(result + i, vi + sumQuarters(sum) * (kSeveral ? list.quantum : *strength * list.quantum));
+  }
+}
+
+void applyViscosity(const PairList& list, const PairScale& scale, const PairFriction& friction, const Float4* position,
+                    const Float4* velocity, Float4* result) {
+  if (friction.fluid == nullptr) {
+    applyViscosityOf<false>(list, scale, friction, position, velocity, result);
+  } else {
+    applyViscosityOf<true>(list, scale, friction, position, velocity, result);
   }
 }
 
@@ -212,7 +255,7 @@ void addBoundary(const PairScale& scale, const Candidates& candidates, const Flo
 }  // namespace
 
 extern const PairLoops SLUICE_PAIR_LOOPS;
-const PairLoops SLUICE_PAIR_LOOPS{SLUICE_INSTRUCTION_SET, findNeighbours, addBoundary,
+const PairLoops SLUICE_PAIR_LOOPS{SLUICE_INSTRUCTION_SET, findNeighbours, addBoundary,   weighSquares,
                                   applyImpulses,          relaxImpulses,  applyViscosity};
 
 }  // namespace sluice::sim

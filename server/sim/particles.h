@@ -25,9 +25,11 @@ struct ParticleState {
   std::vector<float> densityImpulse;     ///< κ of the last density solve, m²/s; the next one starts from it.
   std::vector<float> divergenceImpulse;  ///< κ of the last divergence solve, m²/s.
   std::vector<std::uint32_t> id;
+  std::vector<std::uint8_t> fluid;  ///< Index of its fluid; empty where there is but one.
 
   std::size_t size() const { return position.size(); }
 
+  /// Of all arrays but `fluid`, which is either empty or full from the initial state on.
   void resize(std::size_t count) {
     position.resize(count);
     velocity.resize(count);

@@ -2,8 +2,9 @@
 
 namespace sluice::sim {
 
-SolveOutcome PressureSolve::run(const SolveGoal& goal, const NeighbourLists& lists, const std::vector<float>& factor,
-                                std::vector<Float4>& velocity, std::vector<float>& impulse, const Team& team) {
+SolveOutcome PressureSolve::run(const SolveGoal& goal, const NeighbourLists& lists, const Mobility& mobility,
+                                const std::vector<float>& factor, std::vector<Float4>& velocity,
+                                std::vector<float>& impulse, const Team& team) {
   const std::size_t particles = velocity.size();
   const PairLoops& loops = lists.loops();
   const float* density = goal.density != nullptr ? goal.density->data() : nullptr;
@@ -21,7 +22,7 @@ SolveOutcome PressureSolve::run(const SolveGoal& goal, const NeighbourLists& lis
   while (outcome.iterations < goal.maxIterations) {
     ++outcome.iterations;
     team.forEachChunk(particles, [&](const Chunk& chunk) {
-      loops.applyImpulses(lists.chunk(chunk), impulse4_.data(), lists.gradientSum().data(), velocity.data(),
+      loops.applyImpulses(lists.chunk(chunk), mobility, impulse4_.data(), lists.gradientSum().data(), velocity.data(),
                           result_.data());
     });
     const auto error = team.sumOverChunks<SolveError>(particles, [&](const Chunk& chunk) {

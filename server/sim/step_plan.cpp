@@ -41,6 +41,8 @@ const StageDescription& describe(Stage stage) {
 
 bool isZero(const v1::Vec3& v) { return v.x() == 0 && v.y() == 0 && v.z() == 0; }
 
+bool isViscous(const v1::Fluid& fluid) { return fluid.viscosity() > 0; }
+
 /// Why a stage has nothing to do; empty when it has.
 std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation, const StepTraits& traits) {
   if (traits.particles == 0) return "there are no particles";
@@ -48,7 +50,7 @@ std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation,
     case Stage::DivergenceSolve:
       return simulation.dfsph().divergence_solve() ? "" : "switched off";
     case Stage::Viscosity:
-      return simulation.fluids_size() > 0 && simulation.fluids(0).viscosity() > 0 ? "" : "the viscosity is 0";
+      return std::ranges::any_of(simulation.fluids(), isViscous) ? "" : "the viscosity is 0";
     case Stage::Gravity:
       return isZero(simulation.gravity()) ? "gravity is 0" : "";
     case Stage::Boundary:

@@ -79,7 +79,7 @@ void ApplyImpulses(benchmark::State& state) {
   std::vector<Float4> result(particles);
   for (auto unused : state) {
     Team(1).forEachChunk(particles, [&](const Chunk& chunk) {
-      loops->applyImpulses(lists.chunk(chunk), impulse.data(), lists.gradientSum().data(), velocity.data(),
+      loops->applyImpulses(lists.chunk(chunk), {}, impulse.data(), lists.gradientSum().data(), velocity.data(),
                            result.data());
     });
     benchmark::ClobberMemory();

@@ -73,7 +73,8 @@ TEST(Validate, CountsTheElementsOfLists) {
   auto error = errorAfter([](v1::Scene& s) { s.mutable_simulation()->clear_fluids(); });
   EXPECT_STREQ(error.what(), "simulation.fluids: has 0 elements; needs at least 1");
   error = errorAfter([](v1::Scene& s) {
-    for (int i = 0; i < 8; ++i) *s.mutable_simulation()->add_fluids() = s.simulation().fluids(0);
+    const v1::Fluid fluid = s.simulation().fluids(0);
+    while (s.simulation().fluids_size() < 9) *s.mutable_simulation()->add_fluids() = fluid;
   });
   EXPECT_STREQ(error.what(), "simulation.fluids: has 9 elements; allowed are at most 8");
 }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <Eigen/Core>
 
 #include "lattice.h"
 
@@ -121,7 +122,23 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 
-TEST(PairLoops, AllInstructionSetsGiveTheSameBits) {
+/// Of two fluids, particles alternating by their number in threes; `several` is false for one fluid.
+struct TwoFluids {
+  std::vector<std::uint8_t> fluid;
+  Mobility mobility;
+  PairFriction friction;
+
+  TwoFluids(std::size_t particles, bool several) {
+    for (std::size_t i = 0; i < particles; ++i) fluid.push_back(i / 3 % 2);
+    friction.strength[0] = {1e-4F, 3e-5F};
+    friction.strength[1] = {2e-4F, 5e-4F};
+    if (!several) return;
+    mobility.ofFluid = {1, 2.5F};
+    mobility.fluid = friction.fluid = fluid.data();
+  }
+};
+
+void expectTheSameBitsOfAllInstructionSets(bool severalFluids) {
   const Cloud cloud;
   const std::size_t particles = cloud.positions.size();
   std::mt19937 random(5);
@@ -134,23 +151,29 @@ TEST(PairLoops, AllInstructionSetsGiveTheSameBits) {
     impulse[i] = {k, k, k, k};
   }
   const std::vector<float> factor(particles, 1e-3F);
+  const TwoFluids fluids(particles, severalFluids);
+  const auto& [fluid, mobility, friction] = fluids;
 
   struct Results {
     NeighbourLists lists;
     std::vector<Float4> moved, impulse, viscous;
+    std::vector<float> squares;
     double error = 0;
   };
   std::vector<Results> results;
   for (const PairLoops* loops : availablePairLoops()) {
-    Results r{listsOf(cloud, *loops), std::vector<Float4>(particles), impulse, std::vector<Float4>(particles)};
+    Results r{listsOf(cloud, *loops), std::vector<Float4>(particles), impulse, std::vector<Float4>(particles),
+              std::vector<float>(particles)};
     Team(1).forEachChunk(particles, [&](const Chunk& chunk) {
       const PairList list = r.lists.chunk(chunk);
-      loops->applyImpulses(list, impulse.data(), r.lists.gradientSum().data(), velocity.data(), r.moved.data());
+      if (severalFluids) loops->weighSquares(list, mobility, r.squares.data());
+      loops->applyImpulses(list, mobility, impulse.data(), r.lists.gradientSum().data(), velocity.data(),
+                           r.moved.data());
       r.error += loops
                      ->relaxImpulses(list, velocity.data(), r.lists.gradientSum().data(), factor.data(),
                                      r.lists.density().data(), 0.002F, r.impulse.data())
                      .sum;
-      loops->applyViscosity(list, kScale, cloud.positions.data(), velocity.data(), 1e-4F, r.viscous.data());
+      loops->applyViscosity(list, kScale, friction, cloud.positions.data(), velocity.data(), r.viscous.data());
     });
     results.push_back(std::move(r));
   }
@@ -160,10 +183,59 @@ TEST(PairLoops, AllInstructionSetsGiveTheSameBits) {
     EXPECT_TRUE(sameBits(r.lists.density(), results.front().lists.density()));
     EXPECT_TRUE(sameBits(r.lists.gradientSum(), results.front().lists.gradientSum()));
     EXPECT_TRUE(sameBits(r.lists.gradientSquares(), results.front().lists.gradientSquares()));
+    EXPECT_TRUE(sameBits(r.squares, results.front().squares));
     EXPECT_TRUE(sameBits(r.moved, results.front().moved));
     EXPECT_TRUE(sameBits(r.impulse, results.front().impulse));
     EXPECT_TRUE(sameBits(r.viscous, results.front().viscous));
     EXPECT_EQ(r.error, results.front().error);
+  }
+}
+
+TEST(PairLoops, AllInstructionSetsGiveTheSameBits) { expectTheSameBitsOfAllInstructionSets(false); }
+
+TEST(PairLoops, AllInstructionSetsGiveTheSameBitsForSeveralFluids) { expectTheSameBitsOfAllInstructionSets(true); }
+
+// Each loop over two fluids against sums written out pair by pair.
+TEST(PairLoops, FluidsWeighAsTheirTablesSay) {
+  const Cloud cloud;
+  const std::size_t particles = cloud.positions.size();
+  const NeighbourLists lists = listsOf(cloud, bestPairLoops());
+  const auto pairs = pairsOf(lists, particles);
+  const TwoFluids fluids(particles, true);
+  std::vector<Float4> velocity(particles), impulse(particles), moved(particles), viscous(particles);
+  std::vector<float> squares(particles);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> value(0, 1);
+  for (std::size_t i = 0; i < particles; ++i) {
+    velocity[i] = {value(random), value(random), value(random), 0};
+    impulse[i].x = impulse[i].y = impulse[i].z = impulse[i].w = value(random);
+  }
+  for (std::size_t c = 0; c < chunkCount(particles); ++c) {
+    const PairList list = lists.chunk({c, c * kChunk, std::min((c + 1) * kChunk, particles)});
+    lists.loops().weighSquares(list, fluids.mobility, squares.data());
+    lists.loops().applyImpulses(list, fluids.mobility, impulse.data(), lists.gradientSum().data(), velocity.data(),
+                                moved.data());
+    lists.loops().applyViscosity(list, kScale, fluids.friction, cloud.positions.data(), velocity.data(),
+                                 viscous.data());
+  }
+  const auto vector = [](const Float4& v) { return Eigen::Vector3d(v.x, v.y, v.z); };
+  for (std::uint32_t i = 0; i < particles; ++i) {
+    double square = 0;
+    Eigen::Vector3d push = impulse[i].x * vector(lists.gradientSum()[i]);
+    Eigen::Vector3d drag = Eigen::Vector3d::Zero();
+    for (const auto& [j, quanta] : pairs[i]) {
+      const Eigen::Vector3d gradient = kScale.quantum * Eigen::Vector3d(quanta[0], quanta[1], quanta[2]);
+      square += fluids.mobility.ofFluid[fluids.fluid[j]] * gradient.squaredNorm();
+      push += impulse[j].x * gradient;
+      const Eigen::Vector3d xij = vector(cloud.positions[i]) - vector(cloud.positions[j]);
+      drag += fluids.friction.strength[fluids.fluid[i]][fluids.fluid[j]] *
+              (vector(velocity[i]) - vector(velocity[j])).dot(gradient) /
+              (xij.squaredNorm() + 0.01 * kSupport * kSupport) * xij;
+    }
+    push *= fluids.mobility.ofFluid[fluids.fluid[i]];
+    EXPECT_NEAR(squares[i], square, 1e-5 * square);
+    EXPECT_LT((vector(moved[i]) - (vector(velocity[i]) - push)).norm(), 1e-5 * (1 + push.norm()));
+    EXPECT_LT((vector(viscous[i]) - (vector(velocity[i]) + drag)).norm(), 1e-5 * (1 + drag.norm()));
   }
 }
 

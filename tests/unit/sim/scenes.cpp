@@ -58,6 +58,39 @@ v1::Simulation smallDamBreak() {
   return simulation;
 }
 
+int addFluid(v1::Simulation& simulation, double restDensity, double viscosity, const v1::Block& block) {
+  v1::Fluid* fluid = simulation.add_fluids();
+  fluid->set_rest_density(restDensity);
+  fluid->set_viscosity(viscosity);
+  *fluid->add_blocks() = block;
+  return simulation.fluids_size() - 1;
+}
+
+v1::Simulation collidingFluids(double restDensityRatio) {
+  v1::Simulation simulation = floatingCube(10);
+  v1::Fluid* left = simulation.mutable_fluids(0);
+  left->set_viscosity(0.01);
+  left->set_rest_density(1000 * restDensityRatio);
+  v1::Block right = left->blocks(0);
+  left->mutable_blocks(0)->mutable_first_particle()->set_x(-0.55);
+  left->mutable_blocks(0)->mutable_velocity()->set_x(2);
+  right.mutable_first_particle()->set_x(0.05);
+  right.mutable_first_particle()->set_y(right.first_particle().y() + 0.2);
+  right.mutable_velocity()->set_x(-1);
+  addFluid(simulation, 1000, 0.002, right);
+  return simulation;
+}
+
+v1::Simulation layeredTank(double lower, double upper) {
+  v1::Simulation simulation = column(10, 8);
+  simulation.mutable_container()->mutable_max()->set_y(1.2);
+  v1::Block above = simulation.fluids(0).blocks(0);
+  above.mutable_first_particle()->set_y(kSpacing + 8 * kSpacing);
+  simulation.mutable_fluids(0)->set_rest_density(lower);
+  addFluid(simulation, upper, 0.01, above);
+  return simulation;
+}
+
 v1::Scene sceneOf(const v1::Simulation& simulation) {
   v1::Scene scene;
   *scene.mutable_simulation() = simulation;

@@ -16,6 +16,15 @@ v1::Simulation column(std::uint32_t width, std::uint32_t layers);
 /// A small dam break: 3,000 particles of 0.05 m.
 v1::Simulation smallDamBreak();
 
+/// Adds a fluid with one block, and returns its index.
+int addFluid(v1::Simulation& simulation, double restDensity, double viscosity, const v1::Block& block);
+
+/// Two cubes of different fluids that collide off-centre, free of walls and gravity.
+v1::Simulation collidingFluids(double restDensityRatio);
+
+/// A tank whose lower part is full of one fluid and, above, another; `lower` and `upper` are their rest densities.
+v1::Simulation layeredTank(double lower, double upper);
+
 v1::Scene sceneOf(const v1::Simulation& simulation);
 
 /// Positions in the order of the ids.

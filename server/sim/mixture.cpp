@@ -1,0 +1,73 @@
+#include "mixture.h"
+
+#include <algorithm>
+
+#include "sluice/core/check.h"
+
+namespace sluice::sim {
+
+namespace {
+
+// A particle's acceleration is 2(D+2) ν Σ …, with D = 3 dimensions.
+constexpr double kViscousFactor = 10;
+
+}  // namespace
+
+Mixture::Mixture(const v1::Simulation& simulation) {
+  SLUICE_CHECK(simulation.fluids_size() <= static_cast<int>(kMostFluids));
+  for (const v1::Fluid& fluid : simulation.fluids()) restDensities_.push_back(fluid.rest_density());
+  setViscosities(simulation);
+}
+
+void Mixture::setViscosities(const v1::Simulation& simulation) {
+  viscosities_.clear();
+  for (const v1::Fluid& fluid : simulation.fluids()) viscosities_.push_back(fluid.viscosity());
+  SLUICE_CHECK_EQ(viscosities_.size(), restDensities_.size());
+}
+
+double Mixture::heaviest() const { return *std::ranges::max_element(restDensities_); }
+
+double Mixture::densityRatio() const { return heaviest() / *std::ranges::min_element(restDensities_); }
+
+Mobility Mixture::mobility(const std::vector<std::uint8_t>& fluid) const {
+  Mobility mobility;
+  if (densityRatio() == 1) return mobility;
+  mobility.fluid = fluid.data();
+  for (std::size_t f = 0; f < restDensities_.size(); ++f) {
+    mobility.ofFluid[f] = static_cast<float>(heaviest() / restDensities_[f]);
+  }
+  return mobility;
+}
+
+PairFriction Mixture::friction(const std::vector<std::uint8_t>& fluid, double seconds) const {
+  PairFriction friction;
+  const auto alike = [&](double viscosity) { return viscosity == viscosities_.front(); };
+  if (densityRatio() == 1 && std::ranges::all_of(viscosities_, alike)) {
+    friction.strength[0][0] = static_cast<float>(kViscousFactor * viscosities_.front() * seconds);
+    return friction;
+  }
+  friction.fluid = fluid.data();
+  for (std::size_t a = 0; a < viscosities_.size(); ++a) {
+    for (std::size_t b = 0; b < viscosities_.size(); ++b) {
+      friction.strength[a][b] = static_cast<float>(kViscousFactor * felt(a, b) * seconds);
+    }
+  }
+  return friction;
+}
+
+double Mixture::felt(std::size_t a, std::size_t b) const {
+  if (a == b) return viscosities_[a];
+  const double own = viscosities_[a] * restDensities_[a];
+  const double other = viscosities_[b] * restDensities_[b];
+  return own > 0 && other > 0 ? 2 * own * other / (own + other) / restDensities_[a] : 0;
+}
+
+double Mixture::largestViscosity() const {
+  double largest = 0;
+  for (std::size_t a = 0; a < viscosities_.size(); ++a) {
+    for (std::size_t b = 0; b < viscosities_.size(); ++b) largest = std::max(largest, felt(a, b));
+  }
+  return largest;
+}
+
+}  // namespace sluice::sim
