@@ -21,11 +21,9 @@ void main() {
   vec2 footprint = max(abs(alongX), abs(alongY));
   float distance = depth * length(direction);
   float far = distance / frame.floorAndHaze.w;
-  // The rest of the light on the floor comes from the sky and casts no shadow worth drawing.
-  const float sunShare = 0.65;
   float clear = exp(-far * far);
   vec3 radiance = floorRadiance(point, footprint, distance, direction);
-  float fromSun = sunShare * clear;
+  float fromSun = sunShareOnFloor() * clear;
 #ifdef BODIES
   vec3 place = vec3(point.x, frame.floorAndHaze.x, point.y);
   float sunlight = mix(1.0, sunlightPastBodies(place, vec3(0.0, 1.0, 0.0)), lights.sunlight.w);

@@ -1,5 +1,7 @@
 // Spray, foam and bubbles in the picture: native and GL alike, soft, and nothing at all where there are none.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "render_test.h"
 
@@ -92,8 +94,14 @@ TEST_F(FoamPicture, HidesInTheMiddleWhatItsOpacitySays) {
 }
 
 TEST_F(FoamPicture, FadesBelowTheSurfaceWithoutAnEdge) {
-  // A foam particle that goes straight away from the eye, from before the liquid to deep inside.
-  const Eigen::Vector3f sight = (camera.target - camera.eye).normalized();
+  // A foam particle that goes straight away from the eye, from before the liquid to deep inside; large enough that
+  // where in its pixel it lies hardly matters.
+  scene.mutable_foam()->set_radius_in_spacings(0.5);
+  // Along the middle of the pixel right and below of the picture's, lest it jumps from pixel to pixel.
+  const core::ViewBasis basis = core::viewBasis(camera);
+  const float half = std::tan(0.5F * camera.verticalFovDegrees * std::numbers::pi_v<float> / 180.0F) /
+                     static_cast<float>(size.height);
+  const Eigen::Vector3f sight = basis.forward + half * basis.right - half * basis.up;
   render(particles, camera, size);
   const FloatPicture surface = renderer.readBuffer(Resource::Surface);
   const float middle = surface.values[static_cast<std::size_t>(75 * 200 + 100)];
@@ -119,11 +127,11 @@ TEST_F(FoamPicture, FadesBelowTheSurfaceWithoutAnEdge) {
 
 TEST_F(FoamPicture, OfOneParticleKeepsItsWeightBelowAPixel) {
   // Far away dots get larger than they are, and as much fainter: what they hide goes with their area.
-  scene.mutable_foam()->set_radius_in_spacings(0.05);
+  scene.mutable_foam()->set_radius_in_spacings(0.2);
   particles.diffuse = {};
   add({1, 1.5F, 0.5F}, DiffuseKind::Spray);
   std::vector<double> hidden;
-  for (const float times : {1.0F, 2.0F}) {
+  for (const float times : {0.5F, 1.0F}) {
     core::Camera far = camera;
     far.eye = far.target + times * 4 * (camera.eye - camera.target);
     render(particles, far, size);

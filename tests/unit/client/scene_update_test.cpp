@@ -95,7 +95,7 @@ TEST(SceneUpdate, RefusesUnknownFieldsNamingTheOthers) {
 
 TEST(SceneUpdate, RefusesIndicesThatCannotBe) {
   EXPECT_THAT(complaint({"simulation.fluids.viscosity=1"}), HasSubstr("simulation.fluids[0]"));
-  EXPECT_THAT(complaint({"simulation.fluids[1].viscosity=1"}), HasSubstr("at most 0"));
+  EXPECT_THAT(complaint({"simulation.fluids[8].viscosity=1"}), HasSubstr("at most 7"));
   EXPECT_THAT(complaint({"simulation.fluids[0].blocks[4000000000].count_x=1"}), HasSubstr("at most 999"));
   EXPECT_THAT(complaint({"look[0].smoothing.time=1"}), HasSubstr("takes no index"));
 }

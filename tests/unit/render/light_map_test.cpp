@@ -136,10 +136,10 @@ TEST(LightMap, NeedsSunAndLiquidAboveTheFloor) {
 TEST(LightMap, CellsStayWhereTheyAreInTheScene) {
   std::vector<Eigen::Vector3f> positions = box({-0.3F, 0.0F, -0.3F}, {0.3F, 0.2F, 0.3F});
   const LightMap before = make(positions, water(), 0.0F);
-  positions.emplace_back(1.2F, 0.07F, 1.1F);  // the map grows
+  positions.emplace_back(0.5F, 0.07F, 0.45F);  // the map grows
   const LightMap after = make(positions, water(), 0.0F);
   EXPECT_EQ(before.grid.cell, after.grid.cell);
-  EXPECT_NE(before.grid.width, after.grid.width);
+  EXPECT_TRUE(before.grid.width != after.grid.width || before.grid.height != after.grid.height);
   // The sums come about in other parts.
   EXPECT_NEAR(at(before, {0, 0, 0}).factor[0], at(after, {0, 0, 0}).factor[0], 1e-5F);
 }
