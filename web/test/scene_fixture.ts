@@ -31,7 +31,8 @@ export function damBreak(): Scene {
       thickness: { divisor: 4 },
       liquid: { absorption: { x: 1.9, y: 0.55, z: 0.35 }, colour: { x: 0.1, y: 0.32, z: 0.45 } },
     },
-    background: { skyZenith: { x: 0.1, y: 0.24, z: 0.56 }, sunDirection: { x: 0.45, y: 0.75, z: 0.35 } },
+    background: { environment: { case: "sky", value: { zenith: { x: 0.1, y: 0.24, z: 0.56 } } } },
+    lighting: { sun: { direction: { x: 0.45, y: 0.75, z: 0.35 } } },
     camera: { eye: { x: 2, y: 1.5, z: 3 }, target: {}, up: { x: 0, y: 1, z: 0 } },
     playback: {},
   });

@@ -4,7 +4,7 @@ import { fromHex, splitStrength, toHex } from "../src/params/colour";
 import { formatNumber, nudgeOf, parseNumber } from "../src/params/control";
 import { sliderScale } from "../src/params/slider_scale";
 
-const annotation = { doc: "", unit: "", restart: false, logarithmic: false, allowed: [] };
+const annotation = { doc: "", unit: "", restart: false, logarithmic: false, allowed: [], words: [] };
 const range = (min: number, max: number, logarithmic = false) => ({ ...annotation, min, max, logarithmic });
 
 describe("sliderScale", () => {

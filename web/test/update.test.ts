@@ -27,7 +27,7 @@ describe("updateFor", () => {
 
   test("takes vectors whole", () => {
     const { scene } = update({ path: "lighting.sun.direction", value: { x: 0, y: 1, z: 0.5 } });
-    expect(scene?.background?.sunDirection).toMatchObject({ x: 0, y: 1, z: 0.5 });
+    expect(scene?.lighting?.sun?.direction).toMatchObject({ x: 0, y: 1, z: 0.5 });
   });
 
   test("chooses a member by its empty message, and switches a message off by its absence", () => {
