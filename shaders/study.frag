@@ -1,4 +1,4 @@
-// One step of how the liquid is drawn, in colours that the legend explains; one by flag. Drawn with the uniforms of the
+// One step of how the liquid is drawn, in colours that stand for values; one by flag. Drawn with the uniforms of the
 // surface.
 #include "frame_uniforms.glsl"
 #include "liquid_uniforms.glsl"
@@ -57,7 +57,7 @@ void main() {
   // Lit from above the eye's shoulder.
   vec3 normal = surfaceNormal(at, W, q, edge);
   float lit = max(dot(normal, normalize(vec3(-0.4, -0.6, -0.7))), 0.0);
-  vec3 shown = liquid.colourAndSpecular.rgb * (0.25 + 0.75 * lit);
+  vec3 shown = liquid.colourAndDiffuse.rgb * (0.25 + 0.75 * lit);
 #endif
   colour = vec4(shown, 1.0);
 }
