@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 const Layers kLayers = {
     {"proto"},
     {"core"},
-    {"scene", "gl", "particleio"},
+    {"scene", "gl", "imageio", "particleio"},
     {"sim", "sources", "surface", "render", "encode", "stream", "client"},
     {"evaluate"},
     {"app"},
