@@ -1,6 +1,6 @@
-// Floor or sky along the line of sight.
+// Floor or surroundings along the line of sight.
 #include "frame_uniforms.glsl"
-#include "sky.glsl"
+#include "environment.glsl"
 #include "floor.glsl"
 #include "scene_lights.glsl"
 #include "lamps.glsl"
@@ -8,6 +8,16 @@
 
 in vec2 slope;
 out vec4 colour;  // linear light; alpha: the share that comes straight from the sun
+
+#ifndef FLOOR
+// The sun itself, for lines of sight alone: mirrors get it as a light's highlight. Twice its 0.53° across, so that it is
+// a disc in small pictures too; the radiance is far beyond white, and far below what half floats hold.
+vec3 sunDisc(vec3 direction) {
+  const float rim = 0.99995;  // cos 0.57°
+  float inside = clamp((dot(direction, frame.sun.xyz) - rim) / (0.4 * (1.0 - rim)), 0.0, 1.0);
+  return direction.y > 0.0 ? 40.0 * frame.sun.w * inside * frame.sunlight.rgb : vec3(0.0);
+}
+#endif
 
 void main() {
   vec3 direction = toWorldDirection(vec3(slope, 1.0));
@@ -22,8 +32,8 @@ void main() {
   float distance = depth * length(direction);
   float far = distance / frame.floorAndHaze.w;
   float clear = exp(-far * far);
-  vec3 radiance = floorRadiance(point, footprint, distance, direction);
-  float fromSun = sunShareOnFloor() * clear;
+  vec3 radiance = floorRadiance(point, footprint, distance, backgroundRadiance(levelled(direction)));
+  float fromSun = frame.floorLight.w * clear;
 #ifdef BODIES
   vec3 place = vec3(point.x, frame.floorAndHaze.x, point.y);
   float sunlight = mix(1.0, sunlightPastBodies(place, vec3(0.0, 1.0, 0.0)), lights.sunlight.w);
@@ -41,6 +51,7 @@ void main() {
 #endif
   colour = vec4(radiance, fromSun);
 #else
-  colour = vec4(skyRadiance(normalize(direction)), 0.0);
+  direction = normalize(direction);
+  colour = vec4(backgroundRadiance(direction) + sunDisc(direction), 0.0);
 #endif
 }

@@ -1,9 +1,9 @@
 // Spray, foam and bubbles over the picture: they hide what their optical depth tells, and are white in its place.
 #include "frame_uniforms.glsl"
+#include "environment.glsl"
 
 layout(binding = 0) uniform sampler2D foam;
-layout(location = 0) uniform vec3 sunlight;  // times the colour of foam
-layout(location = 1) uniform vec3 skylight;
+layout(location = 0) uniform vec3 foamColour;
 
 in vec2 uv;
 out vec4 colour;
@@ -22,6 +22,7 @@ void main() {
   vec3 normal = toWorldDirection(normalize(vec3(-rise / (1.0 + opticalDepth), -1.0)));
   // Light goes astray in foam, so that what is turned from the sun is lit as well.
   float lit = 0.35 + 0.65 * max(0.0, 0.4 + 0.6 * dot(normal, frame.sun.xyz));
-  vec3 radiance = lit * sunlight + (0.6 + 0.4 * normal.y) * skylight;
+  vec3 skylight = (0.6 + 0.4 * normal.y) * ambientAbove();
+  vec3 radiance = foamColour * (lit * frame.sunlight.rgb + skylight);
   colour = vec4(radiance * coverage, coverage);
 }

@@ -4,7 +4,7 @@ void main() {}
 #else
 #include "frame_uniforms.glsl"
 #include "scene_lights.glsl"
-#include "sky.glsl"
+#include "reflections.glsl"
 #include "lamps.glsl"
 #include "body_shadow.glsl"
 
@@ -13,13 +13,6 @@ layout(location = 1) uniform vec4 colourAndRoughness;
 in vec3 point;
 in vec3 normal;
 out vec4 colour;  // linear light; alpha: the share that comes straight from the sun
-
-// Mean light that the half space around `n` sends: the sky's, and what the floor gives back of it.
-vec3 ambient(vec3 n) {
-  vec3 sky = mix(skyRadiance(vec3(0.0, 1.0, 0.0)), frame.skyHorizon.rgb, 0.45);
-  vec3 below = frame.floorAndHaze.z > 0.5 ? 0.35 * (frame.tileLight.rgb + frame.tileDark.rgb) : 0.55 * frame.skyHorizon.rgb;
-  return mix(below, sky, 0.5 + 0.5 * n.y);
-}
 
 // GGX sheen of a dielectric (reflectance 0.04) times the cosine, for a white light of unit radiance on white:
 // π·D·V·F·cos with Smith's height-correlated visibility V.
@@ -54,8 +47,8 @@ void main() {
   float above = abs(point.y - frame.floorAndHaze.x);
   float open = frame.floorAndHaze.z > 0.5 ? mix(0.55, 1.0, smoothstep(0.0, 0.12, above + 0.1 * max(n.y, 0.0))) : 1.0;
   float grazing = 0.04 + 0.96 * pow(1.0 - max(dot(n, towardsEye), 0.0), 5.0);
-  vec3 mirrored = skyRadiance(reflect(-towardsEye, n)) * grazing * (1.0 - alpha) * (1.0 - alpha);
-  vec3 rest = albedo * (open * ambient(n) + lampsOn(point, n)) + open * mirrored;
+  vec3 mirrored = environmentRadiance(reflect(-towardsEye, n)) * grazing * (1.0 - alpha) * (1.0 - alpha);
+  vec3 rest = albedo * (open * skylight(n) + lampsOn(point, n)) + open * mirrored;
   vec3 radiance = sunlit + rest;
   const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
   colour = vec4(radiance, dot(sunlit, luminance) / max(dot(radiance, luminance), 1e-6));

@@ -1,4 +1,4 @@
-// The checkered floor. A pixel sees the mean of the checker over its footprint: the box filter of each square wave,
+// Needs environment.glsl. The checkered floor. A pixel sees the mean of the checker over its footprint: the box filter of each square wave,
 // integrated in closed form, so that far tiles turn grey instead of flickering.
 
 // Mean of ±1 tiles around p, in tiles, over a box of edges `width`.
@@ -16,24 +16,12 @@ vec3 floorAlbedo(vec2 point, vec2 footprint) {
   return mix(frame.tileDark.rgb, frame.tileLight.rgb, 0.5 + 0.5 * side);
 }
 
-// Light on the floor, as radiance of something white there: the sun's, and the sky's, of whose blue about half is taken
-// back by what it shines on around, so that sunlit tiles keep their colour.
-vec3 sunOnFloor() { return frame.sunlight.rgb * max(frame.sun.y, 0.0); }
-vec3 skyOnFloor() { return 0.45 * mix(frame.skyHorizon.rgb, frame.skyZenith.rgb, 0.5); }
+// The way from a floor that is seen in `direction`, but level: what is seen there, the floor vanishes into.
+vec3 levelled(vec3 direction) { return normalize(vec3(direction.x, 0.0, direction.z) + vec3(1e-6, 0.0, 0.0)); }
 
-// How much of it is the sun's.
-float sunShareOnFloor() {
-  const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
-  float fromSun = dot(sunOnFloor(), luminance);
-  return fromSun / max(fromSun + dot(skyOnFloor(), luminance), 1e-6);
-}
-
-// What the floor at `point` sends to an eye at `distance` m; `footprint` is the pixel's box on the floor, m.
-vec3 floorRadiance(vec2 point, vec2 footprint, float distance, vec3 direction) {
-  vec3 lit = floorAlbedo(point, footprint) * (sunOnFloor() + skyOnFloor());
+// What the floor at `point` sends to an eye at `distance` m; `footprint` is the pixel's box on the floor, m, `horizon`
+// what it vanishes into.
+vec3 floorRadiance(vec2 point, vec2 footprint, float distance, vec3 horizon) {
   float far = distance / frame.floorAndHaze.w;
-  float haze = 1.0 - exp(-far * far);
-  // The floor vanishes into exactly what the sky shows at the horizon above it.
-  vec3 level = normalize(vec3(direction.x, 0.0, direction.z) + vec3(1e-6, 0.0, 0.0));
-  return mix(lit, skyRadiance(level), haze);
+  return mix(horizon, floorAlbedo(point, footprint) * frame.floorLight.rgb, exp(-far * far));
 }

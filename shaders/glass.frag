@@ -2,7 +2,7 @@
 // or, where there is none, faces the eye; without it the rest is drawn. RIM draws its edges.
 #include "frame_uniforms.glsl"
 #include "fresnel.glsl"
-#include "sky.glsl"
+#include "environment.glsl"
 #include "floor.glsl"
 #include "scene_depth.glsl"
 #include "liquid_front.glsl"
@@ -20,11 +20,11 @@ layout(location = 0, index = 1) out vec4 passed;
 
 vec3 mirrored(vec3 direction) {
   float height = frame.floorAndHaze.x - point.y;
-  if (frame.floorAndHaze.z < 0.5 || height * direction.y <= 0.0) return skyRadiance(direction);
+  if (frame.floorAndHaze.z < 0.5 || height * direction.y <= 0.0) return environmentRadiance(direction);
   float distance = height / direction.y;
   // A pane is flat: the mirrored floor is as fine as a floor as far away.
   vec2 footprint = vec2((distance + length(point - frame.eye.xyz)) * frame.forwardAndPixel.w / max(abs(direction.y), 0.05));
-  return floorRadiance(point.xz + distance * direction.xz, footprint, distance, direction);
+  return floorRadiance(point.xz + distance * direction.xz, footprint, distance, environmentRadiance(levelled(direction)));
 }
 
 void main() {
@@ -53,7 +53,7 @@ void main() {
 #ifdef RIM
   // Light from all around is led through the pane to its polished edge: bright, and as deep in colour as the way is long.
   float cover = clamp(pixels + 0.5 - abs(across), 0.0, 1.0) * min(2.0 * pixels, 1.0);
-  vec3 sky = mix(skyRadiance(vec3(0.0, 1.0, 0.0)), frame.skyHorizon.rgb, 0.7);
+  vec3 sky = ambientAbove();
   // Led from every side, it is a mixture, and whiter than the sky.
   vec3 led = mix(sky, vec3(dot(sky, vec3(0.2126, 0.7152, 0.0722))), 0.7) * pow(tintAndIndex.rgb, vec3(3.0));
   light = vec4(1.1 * cover * led, 0.0);

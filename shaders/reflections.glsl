@@ -1,23 +1,29 @@
 // Needs frame_uniforms.glsl. The light that comes to a place of the liquid from somewhere else than through it.
-#include "sky.glsl"
+#include "environment.glsl"
 #include "floor.glsl"
 
-// Sky or floor in `direction` from `origin`, as a curved mirror there sees it; both in the world.
-vec3 reflectedRadiance(vec3 origin, vec3 direction) {
+// Surroundings or floor in `direction` from `origin`, as a curved mirror there sees it; both in the world. One look at
+// the surroundings serves both: where there is floor, at its horizon.
+vec3 surroundingsSeen(vec3 origin, vec3 direction, bool asBackground) {
   float height = frame.floorAndHaze.x - origin.y;
   bool meetsFloor = frame.floorAndHaze.z > 0.5 && height * direction.y > 0.0;
-  vec3 sky = skyRadiance(direction);
-  if (!meetsFloor) return sky;
+  vec3 around = meetsFloor ? levelled(direction) : direction;
+  vec3 radiance = asBackground ? backgroundRadiance(around) : environmentRadiance(around);
+  if (!meetsFloor) return radiance;
   float distance = height / direction.y;
   vec2 point = origin.xz + distance * direction.xz;
   // A curved mirror spreads a pixel: a tenth of the distance stands for its footprint.
-  return floorRadiance(point, vec2(0.1 * distance + 0.02), distance, direction);
+  return floorRadiance(point, vec2(0.1 * distance + 0.02), distance, radiance);
 }
 
-// Radiance of a white surface of that normal that the surroundings alone light: the mean of what they send to it.
+// What a mirror shows,
+vec3 reflectedRadiance(vec3 origin, vec3 direction) { return surroundingsSeen(origin, direction, false); }
+// and what is seen through the liquid, a backdrop too.
+vec3 transmittedRadiance(vec3 origin, vec3 direction) { return surroundingsSeen(origin, direction, true); }
+
+// Radiance of a white surface of that normal that the surroundings alone light; the floor stands for their lower half.
 vec3 skylight(vec3 normal) {
-  // The mean of √y, weighted by y, over the upper half of all directions is 0.8.
-  vec3 above = mix(frame.skyHorizon.rgb, frame.skyZenith.rgb, 0.8);
-  vec3 below = frame.floorAndHaze.z > 0.5 ? 0.5 * (frame.tileLight.rgb + frame.tileDark.rgb) : 0.55 * frame.skyHorizon.rgb;
-  return mix(below, above, 0.5 + 0.5 * normal.y);
+  if (frame.floorAndHaze.z < 0.5) return ambientLight(normal);
+  vec3 floorLight = 0.5 * (frame.tileLight.rgb + frame.tileDark.rgb) * frame.floorLight.rgb;
+  return mix(floorLight, ambientAbove(), 0.5 + 0.5 * normal.y);
 }

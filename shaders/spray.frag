@@ -3,7 +3,7 @@
 #include "liquid_uniforms.glsl"
 #include "splat_shape.glsl"
 #include "surface.glsl"
-#include "sky.glsl"
+#include "environment.glsl"
 #ifdef BODIES
 #include "scene_depth.glsl"
 #endif
@@ -45,7 +45,6 @@ void main() {
   vec3 normal = toWorldDirection((entry - shape.sphere.xyz) / radius);
   // Light is scattered all through a cloud; what faces the sun is little brighter than what does not.
   float lit = 0.7 + 0.3 * dot(normal, frame.sun.xyz);
-  vec3 sunlight = vec3(1.0, 0.94, 0.84);
-  vec3 radiance = 0.9 * mix(frame.skyHorizon.rgb, skyRadiance(vec3(0.0, 1.0, 0.0)), 0.3) + 0.45 * lit * sunlight;
+  vec3 radiance = 0.9 * ambientAbove() + 0.55 * lit * frame.sunlight.rgb;
   colour = vec4(radiance * coverage, coverage);
 }

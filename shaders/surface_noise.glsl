@@ -43,8 +43,7 @@ vec3 whitened(vec3 radiance, vec2 at, vec3 worldNormal) {
   // Bubbles scatter the light of sun and sky, and of whatever side it comes much is seen.
   float lit = 0.3 + 0.7 * max(dot(worldNormal, frame.sun.xyz), 0.0);
   float skyLight = 0.5 + 0.5 * worldNormal.y;
-  vec3 sky = mix(frame.skyHorizon.rgb, skyRadiance(vec3(0.0, 1.0, 0.0)), 0.3);
-  vec3 foam = 0.9 * sky * skyLight + 0.55 * lit * vec3(1.0, 0.94, 0.84);
+  vec3 foam = 0.9 * ambientAbove() * skyLight + 0.75 * lit * frame.sunlight.rgb;
   return mix(radiance, foam, white);
 }
 #endif

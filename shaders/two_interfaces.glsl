@@ -58,8 +58,8 @@ Transmitted transmitted(Entry entry) {
 
   vec2 at = placeInPicture(hit.xy / hit.z);
   bool inPicture = hit.z > entry.place.z && all(equal(at, clamp(at, 0.0, 1.0)));
-  vec3 through = inPicture ? texture(scene, at).rgb : reflectedRadiance(world, worldLeaving);
+  vec3 through = inPicture ? texture(scene, at).rgb : transmittedRadiance(world, worldLeaving);
   // What the back mirrors leaves the liquid somewhere at its side, and comes from the surroundings.
-  vec3 inward = reflectedRadiance(world, toWorldDirection(reflect(inside, normal)));
+  vec3 inward = transmittedRadiance(world, toWorldDirection(reflect(inside, normal)));
   return Transmitted(mix(through, inward, mirrored), path);
 }

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 
 #include "foam_dots.h"
+#include "pack.h"
 #include "passes.h"
 
 namespace sluice::render {
@@ -33,9 +34,8 @@ void BlendFoamPass::run(const FrameContext& frame) const {
   // Colours come multiplied by their coverage.
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   bindTexture(frame, 0, Resource::Foam);
-  const FoamLight light = foamLight(frame.scene);
-  glProgramUniform3fv(program_.name(), 0, 1, light.sun.data());
-  glProgramUniform3fv(program_.name(), 1, 1, light.sky.data());
+  const auto colour = pack(frame.scene.foam().colour());
+  glProgramUniform3fv(program_.name(), 0, 1, colour.data());
   glUseProgram(program_.name());
   keepToFoam(frame);
   drawPicture();

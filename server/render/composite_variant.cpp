@@ -1,5 +1,7 @@
 #include "composite_variant.h"
 
+#include "environment.h"
+
 namespace sluice::render {
 
 namespace {
@@ -45,7 +47,7 @@ CompositeVariant compositeVariant(const v1::Liquid& liquid, const v1::Scene& sce
   variant.emission = variant.refraction == Refraction::None && !variant.metal && !isBlack(liquid.emission());
   variant.phong = liquid.has_phong() && !variant.metal;
   variant.highlight = hasHighlight(liquid, scene.lighting());
-  variant.reflection = !liquid.has_no_reflection();
+  variant.reflection = !whyNoReflection(liquid, scene.background());
   variant.layered = layered;
   return variant;
 }

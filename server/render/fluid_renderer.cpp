@@ -6,6 +6,7 @@
 #include <string>
 
 #include "data_traits.h"
+#include "environment_picture.h"
 #include "foam_dots.h"
 #include "frame_passes.h"
 #include "liquid_state.h"
@@ -55,6 +56,8 @@ class FluidRenderer::Impl {
     clock_.start();
     if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, view);
 
+    environment_.update(scene);
+    clock_.lap("environment");
     noteParticles(particles);
     passes_.setBodies(scene, particles.bodies);
     std::vector<DataTraits> traits;
@@ -72,6 +75,7 @@ class FluidRenderer::Impl {
 
     setUpGl();
     passes_.bindLights(scene);
+    environment_.bind();
     for (std::size_t k = 0; k < liquids_.size(); ++k) uploadSplats(plan, k, view);
     if (plan.runs(Pass::Sunlight)) light_.update(particles, scene, liquids_.size());
     passes_.setLight(light_);
@@ -284,6 +288,7 @@ class FluidRenderer::Impl {
     };
     const auto frameUniforms = [&](const ViewGeometry& target) {
       FrameUniforms uniforms = makeFrameUniforms(target, view, scene);
+      environment_.ambient().pack(uniforms);
       placeLightMap(uniforms, light_.map().grid);
       return uniforms;
     };
@@ -364,6 +369,7 @@ class FluidRenderer::Impl {
   bool hasBackground_ = false;
   bool hasPicture_ = false;
   core::ImageSize pictureSize_;  ///< Of the last picture.
+  EnvironmentState environment_;
   KeptLightMap light_;
 
   FramePasses passes_;

@@ -117,15 +117,6 @@ float foamBed(const v1::Scene& scene, double spacing) {
   return static_cast<float>((0.5 + scene.look().splats().radius_in_spacings()) * spacing);
 }
 
-FoamLight foamLight(const v1::Scene& scene) {
-  const auto toVector = [](const v1::Vec3& v) { return Vector3f(Eigen::Vector3d(v.x(), v.y(), v.z()).cast<float>()); };
-  const v1::Sun& sun = scene.lighting().sun();
-  const v1::Sky& sky = scene.background().sky();
-  const Vector3f colour = toVector(scene.foam().colour());
-  return {static_cast<float>(sun.strength()) * colour.cwiseProduct(toVector(sun.colour())),
-          0.5F * colour.cwiseProduct(toVector(sky.zenith()) + toVector(sky.horizon()))};
-}
-
 void drawFoam(std::span<const FoamDot> dots, const ViewGeometry& view, std::span<const FoamCover> liquids, float bed,
               std::span<float> opticalDepth) {
   const auto count = static_cast<std::ptrdiff_t>(dots.size());

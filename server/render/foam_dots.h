@@ -24,13 +24,6 @@ std::vector<FoamDot> makeFoamDots(const core::DiffuseParticles& particles, const
 /// How far below the drawn surface a dot still lies on it, m: splats reach beyond the particles that carry the foam.
 float foamBed(const v1::Scene& scene, double spacing);
 
-/// The light that white foam of the scene's colour sends to the eye, per channel.
-struct FoamLight {
-  Eigen::Vector3f sun;  ///< Where it faces the sun.
-  Eigen::Vector3f sky;
-};
-FoamLight foamLight(const v1::Scene& scene);
-
 /// A liquid's surface as the foam is compared with it.
 struct FoamCover {
   std::span<const float> inverseDepth;

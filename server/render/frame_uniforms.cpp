@@ -35,9 +35,8 @@ FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& pi
                     background.floor() ? 1.0F : 0.0F, static_cast<float>(background.haze_distance())};
   u.tileLight = pack(background.tile_light());
   u.tileDark = pack(background.tile_dark());
-  u.skyZenith = pack(background.sky().zenith());
-  u.skyHorizon = pack(background.sky().horizon());
-  u.sun = pack(sunDirection(scene.lighting().sun()), 0.0F);
+  u.backdrop = pack(background.backdrop().colour(), background.has_backdrop() ? 1.0 : 0.0);
+  u.sun = pack(sunDirection(scene.lighting().sun()), background.has_sky() ? 1.0F : 0.0F);
   const v1::Sun& sun = scene.lighting().sun();
   const auto strength = static_cast<float>(sun.strength());
   u.sunlight = {strength * static_cast<float>(sun.colour().x()), strength * static_cast<float>(sun.colour().y()),

@@ -22,8 +22,15 @@ struct FrameUniforms {
   Vec4 floorAndHaze;
   Vec4 tileLight;
   Vec4 tileDark;
-  Vec4 skyZenith;
-  Vec4 skyHorizon;
+  Vec4 ambientRed;
+  Vec4 ambientGreen;
+  Vec4 ambientBlue;
+  Vec4 ambientRed2;
+  Vec4 ambientGreen2;
+  Vec4 ambientBlue2;
+  Vec4 ambientPlane;
+  Vec4 floorLight;
+  Vec4 backdrop;
   Vec4 sun;
   Vec4 sunlight;
   Vec4 lightCorner;
@@ -45,7 +52,7 @@ SplatScale splatScale(const v1::Splats& splats, double spacing);
 /// Unit vector towards the sun.
 Eigen::Vector3f sunDirection(const v1::Sun& sun);
 
-/// Everything but the light map's place, which is left 0. `target` is the view that is drawn into, `picture` that of
+/// Everything but the light map's place and the ambient light, which are left 0. `target` is the view that is drawn into, `picture` that of
 /// the picture.
 FrameUniforms makeFrameUniforms(const ViewGeometry& target, const ViewGeometry& picture, const v1::Scene& scene);
 

@@ -1,4 +1,5 @@
 #include "composite_variant.h"
+#include "environment.h"
 #include "planner.h"
 
 namespace sluice::render {
@@ -56,7 +57,7 @@ void Planner::leaveOutOptics() {
         liquid.has_phong() ? "look.liquid.phong.specular is 0" : "look.liquid.physical.specular is 0";
     leaveOut("specular highlight", lighting.sun().strength() > 0 ? specular : "lighting.sun.strength is 0");
   }
-  if (liquid.has_no_reflection()) leaveOut("reflection", "look.liquid.no_reflection is chosen");
+  if (const auto why = whyNoReflection(liquid, scene_.background())) leaveOut("reflection", *why);
 }
 
 void Planner::planSpray() {

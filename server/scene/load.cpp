@@ -11,6 +11,10 @@ using core::InputError;
 std::vector<FileReference> filesOf(v1::Scene& scene) {
   std::vector<FileReference> files;
   if (scene.has_particle_file()) files.push_back({"particle_file.path", scene.mutable_particle_file()->mutable_path()});
+  if (scene.background().has_environment_map()) {
+    files.push_back(
+        {"background.environment_map.path", scene.mutable_background()->mutable_environment_map()->mutable_path()});
+  }
   for (int i = 0; i < scene.bodies_size(); ++i) {
     if (!scene.bodies(i).has_mesh()) continue;
     files.push_back(

@@ -164,6 +164,11 @@ TEST(ServiceScene, ViewersCannotReadTheServersFiles) {
       viewer.receiveReply(viewer.send(updateMessage("bodies { mesh { path: \"/etc/shape.obj\" } }", {"bodies"})));
   ASSERT_TRUE(body.has_error());
   EXPECT_EQ(body.error().field_path(), "bodies[0].mesh.path");
+
+  const v1::ServerMessage sky = viewer.receiveReply(viewer.send(
+      updateMessage("background { environment_map { path: \"/etc/sky.hdr\" } }", {"background.environment_map"})));
+  ASSERT_TRUE(sky.has_error());
+  EXPECT_EQ(sky.error().field_path(), "background.environment_map.path");
 }
 
 }  // namespace

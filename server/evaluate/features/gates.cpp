@@ -24,6 +24,7 @@ constexpr std::array kGates{
     Gate{"whitening by noise", "look.noise.whitening=0.6", "look.noise.whitening=0", kSimulation, kSimulation},
     Gate{"second interface", "look.liquid.two_interfaces={}", "look.liquid.snell={}", kFlyBy, kFlyBy},
     Gate{"reflection", "", "look.liquid.no_reflection={}", kFlyBy, kFlyBy},
+    Gate{"environment", "", "background.backdrop={}", kFlyBy, kFlyBy},
     Gate{"shadow", "", "lighting.sun.shadow=0", kBoth, kBoth},
     Gate{"foam", "foam={}", "", kBoth, kBoth},
     Gate{"caustics", "", "lighting.sun.caustics=0", kBoth, kBoth},

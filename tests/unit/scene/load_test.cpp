@@ -55,9 +55,11 @@ TEST_F(Load, TakesRelativePathsFromTheScenesFolder) {
   EXPECT_EQ(load(absolute).particle_file().path(), "/cache/frame.bgeo");
   const v1::Scene bodies = load(write("bodies.textproto",
                                       "column_and_sheet {}\nbodies { sphere {} }\nbodies { mesh { path: \"a.obj\" } }\n"
-                                      "bodies { mesh { path: \"/b.ply\" } }"));
+                                      "bodies { mesh { path: \"/b.ply\" } }\n"
+                                      "background { environment_map { path: \"sky/noon.hdr\" } }"));
   EXPECT_EQ(bodies.bodies(1).mesh().path(), (folder_ / "a.obj").string());
   EXPECT_EQ(bodies.bodies(2).mesh().path(), "/b.ply");
+  EXPECT_EQ(bodies.background().environment_map().path(), (folder_ / "sky/noon.hdr").string());
 }
 
 }  // namespace
