@@ -51,7 +51,8 @@ class FluidRenderer::Impl {
   core::Frame render(const core::ParticleSnapshot& particles, const v1::Scene& given, const core::Camera& camera,
                      core::ImageSize size) {
     checkSize(size);
-    const v1::Scene scene = forItsView(given);
+    if (isStudy(given.view())) studied_ = forItsView(given);
+    const v1::Scene& scene = isStudy(given.view()) ? studied_ : given;
     const ViewGeometry view = makeViewGeometry(camera, size);
     clock_.start();
     if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, view);
@@ -369,6 +370,7 @@ class FluidRenderer::Impl {
   bool hasBackground_ = false;
   bool hasPicture_ = false;
   core::ImageSize pictureSize_;  ///< Of the last picture.
+  v1::Scene studied_;            ///< The scene as its study view shows it.
   EnvironmentState environment_;
   KeptLightMap light_;
 

@@ -52,8 +52,8 @@ SplatScale splatScale(const v1::Splats& splats, double spacing);
 /// Unit vector towards the sun.
 Eigen::Vector3f sunDirection(const v1::Sun& sun);
 
-/// Everything but the light map's place and the ambient light, which are left 0. `target` is the view that is drawn into, `picture` that of
-/// the picture.
+/// Everything but the light map's place and the ambient light, which are left 0. `target` is the view that is drawn
+/// into, `picture` that of the picture.
 FrameUniforms makeFrameUniforms(const ViewGeometry& target, const ViewGeometry& picture, const v1::Scene& scene);
 
 /// Fills in where a light map falls on the floor.

@@ -99,8 +99,8 @@ TEST_F(FoamPicture, FadesBelowTheSurfaceWithoutAnEdge) {
   scene.mutable_foam()->set_radius_in_spacings(0.5);
   // Along the middle of the pixel right and below of the picture's, lest it jumps from pixel to pixel.
   const core::ViewBasis basis = core::viewBasis(camera);
-  const float half = std::tan(0.5F * camera.verticalFovDegrees * std::numbers::pi_v<float> / 180.0F) /
-                     static_cast<float>(size.height);
+  const float half =
+      std::tan(0.5F * camera.verticalFovDegrees * std::numbers::pi_v<float> / 180.0F) / static_cast<float>(size.height);
   const Eigen::Vector3f sight = basis.forward + half * basis.right - half * basis.up;
   render(particles, camera, size);
   const FloatPicture surface = renderer.readBuffer(Resource::Surface);

@@ -46,7 +46,8 @@ class FluidRenderer {
   void follow(const core::ParticleSnapshot& particles, const v1::Scene& scene);
 
   /// A buffer of the last frame, for studies and tests: Resource::Surface (inverse eye depth, 1/m, after smoothing) or
-  /// Resource::Thickness (m), Resource::Noise (m) or Resource::Violence (0 to 1), of one liquid. Empty when the frame did without it.
+  /// Resource::Thickness (m), Resource::Noise (m) or Resource::Violence (0 to 1), of one liquid. Empty when the frame
+  /// did without it.
   FloatPicture readBuffer(Resource resource, std::size_t liquid = 0);
 
   /// The last picture.

@@ -74,10 +74,10 @@ enum class Resource : std::uint8_t {
   NoiseSums,  ///< What the noise is made of, see noise.frag.
   Violence,   ///< How shaken the liquid is, 0 to 1.
   Attribute,  ///< A value of the particles at the surface.
-  Liquid,   ///< The shaded liquid alone, where it is drawn smaller than the picture.
-  Foam,     ///< Optical depth of spray, foam and bubbles: they hide 1 - exp(-it) of what is behind.
-  Picture,  ///< Scene and liquid in linear light.
-  Screen,   ///< The picture as a screen shows it.
+  Liquid,     ///< The shaded liquid alone, where it is drawn smaller than the picture.
+  Foam,       ///< Optical depth of spray, foam and bubbles: they hide 1 - exp(-it) of what is behind.
+  Picture,    ///< Scene and liquid in linear light.
+  Screen,     ///< The picture as a screen shows it.
 };
 
 /// What smoothing may draw into besides the surface itself, alike in size and format, in the order in which a method
