@@ -12,7 +12,10 @@ layout(location = 1) uniform vec4 colourAndRoughness;
 
 in vec3 point;
 in vec3 normal;
-out vec4 colour;  // linear light; alpha: the share that comes straight from the sun
+layout(location = 0) out vec4 colour;  // linear light; alpha: the share that comes straight from the sun
+#ifdef CUBE_MAP
+layout(location = 1) out vec2 inverseDistance;  // 1/m, and 1
+#endif
 
 // GGX sheen of a dielectric (reflectance 0.04) times the cosine, for a white light of unit radiance on white:
 // π·D·V·F·cos with Smith's height-correlated visibility V.
@@ -50,7 +53,12 @@ void main() {
   vec3 mirrored = environmentRadiance(reflect(-towardsEye, n)) * grazing * (1.0 - alpha) * (1.0 - alpha);
   vec3 rest = albedo * (open * skylight(n) + lampsOn(point, n)) + open * mirrored;
   vec3 radiance = sunlit + rest;
+#ifdef CUBE_MAP
+  colour = vec4(radiance, 1.0);
+  inverseDistance = vec2(1.0 / max(distance(frame.eye.xyz, point), 1e-6), 1.0);
+#else
   const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
   colour = vec4(radiance, dot(sunlit, luminance) / max(dot(radiance, luminance), 1e-6));
+#endif
 }
 #endif

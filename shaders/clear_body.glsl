@@ -26,6 +26,6 @@ vec3 roundedRim(vec3 normal, vec3 sight, vec2 W, float thickness) {
 vec3 clearBody(Entry entry, vec3 worldNormal) {
   Transmitted through = transmitted(entry);
   vec3 transmittance = exp(-liquid.absorptionAndIndex.rgb * through.path);
-  vec3 scattered = liquid.scatterAndShift.rgb * lightBelow(worldNormal, 0.5);
+  vec3 scattered = liquid.scatterAndShift.rgb * lightBelow(entry.origin, worldNormal, 0.5);
   return mix(scattered, through.radiance, transmittance);
 }

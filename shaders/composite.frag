@@ -1,11 +1,17 @@
 // The liquid over the scene: what it reflects, what it lets through, what it sends back from inside.
 #include "frame_uniforms.glsl"
 #include "liquid_uniforms.glsl"
+#include "picture_place.glsl"
+#include "scene_depth.glsl"
+#include "scene_lights.glsl"
 #include "surface.glsl"
 #include "normal.glsl"
 #include "coverage.glsl"
 #include "fresnel.glsl"
 #include "interface.glsl"
+#if defined(CUBE_MAP) || defined(SCREEN_REFLECTION)
+#define BODY_MIRROR 1
+#endif
 #include "reflections.glsl"
 #include "lighting.glsl"
 #ifndef OPAQUE
@@ -24,8 +30,8 @@ in vec2 slope;
 out vec4 colour;
 
 // What comes from below an opaque surface.
-vec3 opaqueBody(vec3 normal, float cosine) {
-  vec3 body = liquid.colourAndDiffuse.rgb * lightBelow(normal, 0.15);
+vec3 opaqueBody(vec3 point, vec3 normal, float cosine) {
+  vec3 body = liquid.colourAndDiffuse.rgb * lightBelow(point, normal, 0.15);
 #ifdef EMISSION
   // A melt glows through a skin that has cooled down, of which an oblique line of sight passes more.
   const float skin = 0.4;
@@ -57,12 +63,12 @@ void main() {
 
   vec3 body = vec3(0.0);
 #if defined(OPAQUE) && !defined(METAL)
-  body = opaqueBody(worldNormal, cosine);
+  body = opaqueBody(origin, worldNormal, cosine);
 #elif !defined(OPAQUE)
   body = clearBody(Entry(P, sight, normal, cosine, slabCosine, thickness, slope, origin), worldNormal);
 #endif
 #ifdef PHONG
-  body = mix(body, liquid.colourAndDiffuse.rgb * lightBelow(worldNormal, 0.0), liquid.colourAndDiffuse.w);
+  body = mix(body, liquid.colourAndDiffuse.rgb * lightBelow(origin, worldNormal, 0.0), liquid.colourAndDiffuse.w);
 #endif
 
   vec3 mirrored = reflectanceAt(cosine);
@@ -72,7 +78,7 @@ void main() {
   vec3 radiance = mix(body, reflectedRadiance(origin, reflect(worldSight, worldNormal)), mirrored);
 #endif
 #ifdef HIGHLIGHT
-  radiance += frame.sunlight.rgb * highlight(worldNormal, -worldSight, frame.sun.xyz);
+  radiance += highlights(origin, worldNormal, -worldSight);
 #endif
 #ifdef WHITENING
   radiance = whitened(radiance, uv, worldNormal);

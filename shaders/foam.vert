@@ -3,13 +3,21 @@
 layout(location = 0) uniform vec4 target;    // pixel slope, width, height, margin of the viewport, pixels
 layout(location = 1) uniform int liquids;
 layout(location = 2) uniform float bed;      // m
+layout(location = 3) uniform int bodies;     // 1 where some may hide foam, else 0
 layout(location = 4) uniform vec2 slopes[8];  // largest |W_x|, |W_y| of each liquid's surface
 layout(binding = 0) uniform sampler2D surfaces[8];
+layout(binding = 8) uniform sampler2D sceneDepth;
 
 layout(location = 0) in vec4 dot_;           // middle in view space and radius, m
 layout(location = 1) in vec2 opacityAndFading;
 
 flat out vec4 disc;                          // middle and radius, pixels; optical depth in the middle
+
+// Whether a body stands before the dot. What lies on one is seen, though its middle may be a little inside.
+bool isHidden(vec2 middle) {
+  ivec2 size = textureSize(sceneDepth, 0);
+  return bodies != 0 && texelFetch(sceneDepth, clamp(ivec2(middle), ivec2(0), size - 1), 0).r * dot_.z > 1.01;
+}
 
 void main() {
   vec2 slope = dot_.xy / dot_.z;
@@ -25,7 +33,8 @@ void main() {
   float drawn = max(pixels, 1.25);
   float widening = pixels / drawn;
   vec2 middle = slope / target.x + 0.5 * target.yz;
-  disc = vec4(middle, drawn, opacityAndFading.x * exp(-opacityAndFading.y * below) * widening * widening);
+  float opacity = isHidden(middle) ? 0.0 : opacityAndFading.x;
+  disc = vec4(middle, drawn, opacity * exp(-opacityAndFading.y * below) * widening * widening);
   gl_Position = vec4((2.0 * middle - target.yz) / (target.yz + 2.0 * target.w), 0.0, 1.0);
   gl_PointSize = 2.0 * drawn + 2.0;
 }

@@ -2,6 +2,10 @@
 // is the radiance of a white surface that faces it, so that π times as much falls onto that; directions are unit vectors
 // away from the surface.
 
+#ifdef LAMPS
+#include "lamps.glsl"
+#endif
+
 // Share of a light that the surface mirrors to the eye: a highlight.
 vec3 highlight(vec3 normal, vec3 toEye, vec3 toLight) {
   float nl = max(dot(normal, toLight), 0.0);
@@ -30,6 +34,25 @@ float litShare(vec3 normal, vec3 toLight, float spread) {
 }
 
 // Light inside the liquid below a place of that normal, as radiance of something white there.
-vec3 lightBelow(vec3 normal, float spread) {
-  return frame.sunlight.rgb * litShare(normal, frame.sun.xyz, spread) + skylight(normal);
+vec3 lightBelow(vec3 point, vec3 normal, float spread) {
+  vec3 light = frame.sunlight.rgb * litShare(normal, frame.sun.xyz, spread) + skylight(normal);
+#ifdef LAMPS
+  for (int i = 0; i < lampCount(); ++i) {
+    Lamp lamp = lampAt(i, point);
+    light += lamp.light * litShare(normal, lamp.towards, spread);
+  }
+#endif
+  return light;
+}
+
+// Highlights of the sun and of lamps.
+vec3 highlights(vec3 point, vec3 normal, vec3 toEye) {
+  vec3 sum = frame.sunlight.rgb * highlight(normal, toEye, frame.sun.xyz);
+#ifdef LAMPS
+  for (int i = 0; i < lampCount(); ++i) {
+    Lamp lamp = lampAt(i, point);
+    sum += lamp.light * highlight(normal, toEye, lamp.towards);
+  }
+#endif
+  return sum;
 }

@@ -10,4 +10,6 @@ layout(std140, binding = 1) uniform LiquidUniforms {
   vec4 gloss;              // roughness α, or Phong's exponent; strength of the highlight
   vec4 emission;           // radiance
   vec4 reflectance;        // of a metal at right angles
+  vec4 cubeAndReach;       // where the cube map was taken, m; how far bodies reach behind what is seen of them, m
+  vec4 mirrorSteps;        // places along a mirrored ray that are looked at
 } liquid;

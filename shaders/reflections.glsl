@@ -1,10 +1,17 @@
 // Needs frame_uniforms.glsl. The light that comes to a place of the liquid from somewhere else than through it.
 #include "environment.glsl"
 #include "floor.glsl"
+#ifdef BODY_MIRROR
+#include "body_mirror.glsl"
+#endif
 
-// Surroundings or floor in `direction` from `origin`, as a curved mirror there sees it; both in the world. One look at
+// Bodies, surroundings or floor in `direction` from `origin`, as a curved mirror there sees it; both in the world. One look at
 // the surroundings serves both: where there is floor, at its horizon.
 vec3 surroundingsSeen(vec3 origin, vec3 direction, bool asBackground) {
+#ifdef BODY_MIRROR
+  vec4 body = bodySeen(origin, direction);
+  if (body.a > 0.0) return body.rgb;
+#endif
   float height = frame.floorAndHaze.x - origin.y;
   bool meetsFloor = frame.floorAndHaze.z > 0.5 && height * direction.y > 0.0;
   vec3 around = meetsFloor ? levelled(direction) : direction;

@@ -1,6 +1,6 @@
-// Needs frame_uniforms.glsl, liquid_uniforms.glsl and fresnel.glsl. What is seen through clear liquid, and how long the
+// Needs frame_uniforms.glsl, liquid_uniforms.glsl,
+// picture_place.glsl, scene_depth.glsl and fresnel.glsl. What is seen through clear liquid, and how long the
 // way through it was.
-layout(binding = 1) uniform sampler2D scene;
 
 // A line of sight where it meets the liquid; all in view space.
 struct Entry {
@@ -19,15 +19,43 @@ struct Transmitted {
   float path;     // through liquid, m
 };
 
-vec2 placeInPicture(vec2 slope) { return 0.5 + 0.5 * slope / frame.pictureSlopes.xy; }
+// Whether the scene in this direction is behind depth z: no body stands before that.
+bool isBehind(float z, vec2 slope) {
+#ifdef BODIES
+  vec2 at = 0.5 + 0.5 * slope / frame.pictureSlopes.xy;
+  vec4 q = textureGather(sceneDepth, at);  // of every pixel that shows in a sample there
+  float nearest = max(max(q.x, q.y), max(q.z, q.w));
+  return nearest * z < 1.0 || nearest < 1.02 * floorInverseDepth(slope);
+#else
+  return true;
+#endif
+}
 
-// The scene at a place in view space. Beyond the picture it is mirrored, which looks like more of the same; a place that
-// is not behind `nearest` is not seen through the liquid: there the line of sight goes straight on.
-vec3 sceneAt(vec3 hit, float nearest, vec2 straight) {
-  vec2 place = placeInPicture(hit.xy / hit.z);
+// Where a ray that starts at `place` in view space, and would go on for `far`, meets a body; both m. What stands before
+// the start is not met.
+float untilBody(vec3 place, vec3 direction, float far) {
+#ifdef BODIES
+  for (int i = 0; i < 3; ++i) {
+    vec3 end = place + far * direction;
+    float q = end.z > 0.0 ? bodyDepthAt(end.xy / end.z) : 0.0;
+    if (q * place.z >= 1.0 || q * end.z <= 1.0) break;
+    far = (1.0 / q - place.z) / direction.z;
+  }
+#endif
+  return far;
+}
+
+// The scene in a direction that a ray came to behind depth `nearest`. Beyond the picture it is mirrored, which looks
+// like more of the same; what is not behind the liquid is not seen through it: there the line of sight goes straight on.
+vec3 sceneTowards(vec2 slope, bool ahead, float nearest, vec2 straight) {
+#ifdef PLAIN_BEHIND
+  return backgroundRadiance(vec3(0.0, 1.0, 0.0));
+#else
+  vec2 place = placeInPicture(slope);
   place = 1.0 - abs(1.0 - abs(place));
-  bool behind = hit.z > nearest && all(greaterThanEqual(place, vec2(0.0)));
+  bool behind = ahead && all(greaterThanEqual(place, vec2(0.0))) && isBehind(nearest, slope);
   return texture(scene, behind ? place : placeInPicture(straight)).rgb;
+#endif
 }
 
 // How far a ray goes until the floor; `far` where it does not meet it.
@@ -40,11 +68,11 @@ const float kFar = 1e3;  // m; as good as endless
 
 #if defined(SCREEN_SHIFT)
 
-// [VDL09] van der Laan et al. 2009, Eqs. (14) and (15): the scene, shifted by β = γT times the normal.
+// [VDL09] van der Laan et al. 2009, Eqs. (14) and (15): the scene, shifted by β = γT times the normal, in heights of the
+// picture.
 Transmitted transmitted(Entry entry) {
-  vec2 perHeight = vec2(frame.pictureSlopes.y / frame.pictureSlopes.x, 1.0);
-  vec2 place = placeInPicture(entry.slope) + liquid.scatterAndShift.w * entry.thickness * entry.normal.xy * perHeight;
-  return Transmitted(texture(scene, 1.0 - abs(1.0 - abs(place))).rgb, entry.thickness);
+  vec2 shift = 2.0 * frame.pictureSlopes.y * liquid.scatterAndShift.w * entry.thickness * entry.normal.xy;
+  return Transmitted(sceneTowards(entry.slope + shift, true, entry.place.z, entry.slope), entry.thickness);
 }
 
 #elif defined(TWO_INTERFACES)
@@ -61,11 +89,11 @@ Transmitted transmitted(Entry entry) {
   vec3 leaves = entry.place + inside * path;
   float height = frame.floorAndHaze.x - entry.origin.y;
   float fall = toWorldDirection(inside).y;
-  // Liquid that stands on the floor: the ray ends there.
-  float ends = untilFloor(height, fall, kFar);
-  vec3 behind = leaves + entry.sight * untilFloor(height - fall * path, toWorldDirection(entry.sight).y, kFar);
-  vec3 hit = ends <= path ? entry.place + inside * ends : behind;
-  return Transmitted(sceneAt(hit, entry.place.z, entry.slope), min(path, ends));
+  // The ray may end inside, where liquid stands on the floor, or around a body.
+  float ends = untilBody(entry.place, inside, untilFloor(height, fall, path));
+  float beyond = untilFloor(height - fall * path, toWorldDirection(entry.sight).y, kFar);
+  vec3 hit = ends < path ? entry.place + inside * ends : leaves + entry.sight * untilBody(leaves, entry.sight, beyond);
+  return Transmitted(sceneTowards(hit.xy / hit.z, hit.z > entry.place.z, entry.place.z, entry.slope), ends);
 }
 
 #endif

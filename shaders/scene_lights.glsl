@@ -8,4 +8,5 @@ layout(std140, binding = 4) uniform SceneLights {
   vec4 lampPlace[8];   // m
   vec4 lampLight[8];   // radiance of a white surface that faces it from 1 m away
   vec4 contact[8];     // centre and radius of what hides sky from the floor
+  vec4 body[8];        // centre and radius of balls around all bodies; of radius 0 after the last
 } lights;

@@ -35,31 +35,41 @@ Transmitted transmitted(Entry entry) {
   float back = backAt(entry.slope);
   float along = back > 0.0 ? max(1.0 / back - entry.place.z, 0.0) / entry.sight.z : entry.thickness;
   float d = insideDistance(entry, inside, along);
-  vec3 place = entry.place + d * inside;
-  // Absorption goes by the liquid that there is; there may be air between front and back.
-  float path = along > 0.0 ? entry.thickness * d / along : 0.0;
 
-  // Liquid on the floor: the ray ends there, and there is no second interface.
+  // Liquid on the floor, or around a body: the ray ends there, and there is no second interface.
   float height = frame.floorAndHaze.x - entry.origin.y;
   vec3 worldInside = toWorldDirection(inside);
   float ends = untilFloor(height, worldInside.y, kFar);
   bool onFloor = ends * abs(worldInside.y) <= (d * abs(worldInside.y) + 2.0 * liquid.splat.x) && ends < kFar;
+  float until = untilBody(entry.place, inside, d);
+  bool onBody = until < d;
+  d = until;
+  bool leaves = !onFloor && !onBody;
 
+  vec3 place = entry.place + d * inside;
+  // Absorption goes by the liquid that there is; there may be air between front and back.
+  float path = along > 0.0 ? entry.thickness * d / along : 0.0;
+#ifdef PLAIN_BEHIND
+  return Transmitted(backgroundRadiance(vec3(0.0, 1.0, 0.0)), path);
+#else
   float q = backAt(place.xy / place.z);
   vec3 normal = q > 0.0 ? backNormal(place.xy / place.z, q) : entry.normal;
   float cosine = clamp(-dot(inside, normal), 0.0, 1.0);
-  float mirrored = onFloor ? 0.0 : fresnelInside(cosine, n);
+  float mirrored = leaves ? fresnelInside(cosine, n) : 0.0;
   vec3 leaving = refract(inside, normal, n);
   if (dot(leaving, leaving) < 0.5) leaving = inside;  // unused: all is mirrored
   vec3 world = entry.origin + d * worldInside;
   vec3 worldLeaving = toWorldDirection(leaving);
-  vec3 beyond = place + leaving * untilFloor(frame.floorAndHaze.x - world.y, worldLeaving.y, kFar);
-  vec3 hit = onFloor ? entry.place + inside * ends : beyond;
+  float beyond = untilFloor(frame.floorAndHaze.x - world.y, worldLeaving.y, kFar);
+  vec3 hit = place + leaving * untilBody(place, leaving, beyond);
+  if (!leaves) hit = onBody ? place : entry.place + inside * ends;
 
-  vec2 at = placeInPicture(hit.xy / hit.z);
-  bool inPicture = hit.z > entry.place.z && all(equal(at, clamp(at, 0.0, 1.0)));
+  vec2 slope = hit.xy / hit.z;
+  vec2 at = placeInPicture(slope);
+  bool inPicture = hit.z > entry.place.z && all(equal(at, clamp(at, 0.0, 1.0))) && isBehind(entry.place.z, slope);
   vec3 through = inPicture ? texture(scene, at).rgb : transmittedRadiance(world, worldLeaving);
   // What the back mirrors leaves the liquid somewhere at its side, and comes from the surroundings.
   vec3 inward = transmittedRadiance(world, toWorldDirection(reflect(inside, normal)));
   return Transmitted(mix(through, inward, mirrored), path);
+#endif
 }

@@ -1,7 +1,6 @@
 #include <array>
 
 #include "body_passes.h"
-#include "pack.h"
 #include "passes.h"
 
 namespace sluice::render {
@@ -54,29 +53,7 @@ void BodiesPass::drawSamples(const BodyScene& bodies) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing.data());
   glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, kNothing.data());
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
-  glEnable(GL_CLIP_DISTANCE0);
-  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  for (const BodyInstance& body : bodies.bodies()) {
-    if (body.isGlass()) continue;
-    const bool fromPicture = body.body.mesh().has_screen_space_normals();
-    auto program = programs_.find(fromPicture);
-    if (program == programs_.end()) {
-      std::vector<std::string_view> defines;
-      if (fromPicture) defines.emplace_back("SCREEN_SPACE_NORMALS");
-      program = programs_.emplace(fromPicture, shaders().program("bodies.vert", "bodies.frag", defines)).first;
-    }
-    const GLuint name = program->second.name();
-    glProgramUniformMatrix4fv(name, 0, 1, GL_FALSE, body.pose.matrix().data());
-    const v1::Matte& matte = body.body.matte();
-    glProgramUniform4fv(name, 1, 1, pack(matte.colour(), matte.roughness()).data());
-    glUseProgram(name);
-    body.model->draw();
-  }
-  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-  glDisable(GL_CLIP_DISTANCE0);
-  glDisable(GL_DEPTH_TEST);
+  matte_.draw(bodies);
 }
 
 void BodiesPass::bindSamples() const {

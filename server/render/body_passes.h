@@ -7,6 +7,7 @@
 
 #include "body_scene.h"
 #include "frame_context.h"
+#include "matte_bodies.h"
 #include "scene_lights.h"
 
 namespace sluice::render {
@@ -41,10 +42,20 @@ class BodiesPass {
   gl::Texture light_;
   gl::Texture depth_;
   gl::Framebuffer framebuffer_;
-  std::map<bool, gl::Program> programs_;  ///< By whether normals come from the picture.
+  MatteBodies matte_;
   std::optional<gl::Program> resolve_;
   std::optional<gl::Program> sceneDepth_;
   std::map<std::set<std::string_view>, gl::Program> edges_;
+};
+
+/// The bodies that are no glass around the liquid's middle, into its cube map.
+class CubeMapPass {
+ public:
+  void run(const FrameContext& frame, const BodyScene& bodies);
+
+ private:
+  MatteBodies matte_{{"CUBE_MAP"}};
+  gl::StreamBuffer uniforms_;
 };
 
 /// No more liquid before a body than there is room for.

@@ -35,7 +35,6 @@ void CompositePass::run(const FrameContext& frame) {
     program = programs_.emplace(variant, shaders().program("picture.vert", "composite.frag", variant.defines())).first;
   }
 
-  const Resource scene = sceneOf(frame);
   const bool coarse = frame.plan.runs(Pass::BlendLiquid, frame.liquid);
   const Resource into = coarse ? Resource::Liquid : Resource::Picture;
   if (coarse) frame.targets.clear(into);
@@ -46,7 +45,9 @@ void CompositePass::run(const FrameContext& frame) {
   // Colours come multiplied by their coverage.
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   bindTexture(frame, 0, Resource::Surface);
-  bindTexture(frame, 1, scene);
+  if (looksUpScene(variant)) bindTexture(frame, 1, sceneOf(frame));
+  if (variant.bodies) bindTexture(frame, 7, Resource::SceneDepth);
+  if (variant.reflection == Reflection::CubeMap) frame.cube.bind();
   if (variant.refraction != Refraction::None) bindTexture(frame, 2, Resource::Thickness);
   if (variant.refraction == Refraction::TwoInterfaces) bindTexture(frame, 3, Resource::BackSurface);
   if (variant.layered) bindOtherSurfaces(frame, program->second);

@@ -41,12 +41,6 @@ constexpr std::array<float, 9> kCosine{1.0F, 2.0F / 3, 2.0F / 3, 2.0F / 3, 0.25F
 
 }  // namespace
 
-std::optional<std::string> whyNoReflection(const v1::Liquid& liquid, const v1::Background& background) {
-  if (liquid.has_no_reflection()) return "look.liquid.no_reflection is chosen";
-  if (background.has_backdrop()) return "a backdrop is not mirrored";
-  return std::nullopt;
-}
-
 Vector3f skyRadiance(const Vector3f& direction, const v1::Sky& sky, const v1::Sun& sun) {
   const Vector3f zenith = toVector(sky.zenith());
   const Vector3f horizon = toVector(sky.horizon());

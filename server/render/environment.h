@@ -2,8 +2,6 @@
 
 #include <array>
 #include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -42,9 +40,6 @@ Eigen::Vector3f directionAt(float u, float v);
 
 /// Uses the OpenMP team of the calling thread; the same for any number of threads.
 EnvironmentPicture makeEnvironmentPicture(const Radiance& radiance, int edge);
-
-/// Why a liquid mirrors nothing; nothing where it does.
-std::optional<std::string> whyNoReflection(const v1::Liquid& liquid, const v1::Background& background);
 
 /// What the environment sheds on matte surfaces, as the first nine spherical harmonics of its radiance
 /// [Ramamoorthi & Hanrahan 2001, An efficient representation for irradiance environment maps].

@@ -62,7 +62,8 @@ class FluidRenderer::Impl {
     noteParticles(particles);
     passes_.setBodies(scene, particles.bodies);
     std::vector<DataTraits> traits;
-    for (std::size_t k = 0; k < liquids_.size(); ++k) traits.push_back(select(*liquids_[k], lookOf(scene, k), view));
+    for (std::size_t k = 0; k < liquids_.size(); ++k)
+      traits.push_back(select(*liquids_[k], lookOf(scene, k), scene, view));
     clock_.lap(name(Pass::SelectSplats));
     foam_.clear();
     if (scene.has_foam() && particles.diffuse.size() > 0) {
@@ -91,7 +92,7 @@ class FluidRenderer::Impl {
     sceneOf_ = withoutSource(scene);
     cameraOf_ = camera;
     spacingOf_ = particles.spacing;
-    bodiesOf_ = passes_.bodyChanges();
+    bodiesOf_ = passes_.bodies().changes();
     hasBackground_ = plan.buffer(Resource::Background) != nullptr;
     hasPicture_ = true;
     pictureSize_ = size;
@@ -176,8 +177,8 @@ class FluidRenderer::Impl {
 
   ReuseTraits reuse(const v1::Scene& scene, const core::Camera& camera, core::ImageSize size) const {
     return {hasBackground_ && pictureSize_ == size && cameraOf_ == camera && sameSurroundings(scene) &&
-                passes_.bodyChanges() == bodiesOf_,
-            hasBackground_ && passes_.bodyChanges() == bodiesOf_};
+                passes_.bodies().changes() == bodiesOf_,
+            hasBackground_ && passes_.bodies().changes() == bodiesOf_};
   }
 
   /// The last frame's picture is still there.
@@ -224,7 +225,7 @@ class FluidRenderer::Impl {
     }
   }
 
-  DataTraits select(LiquidState& liquid, const v1::Look& look, const ViewGeometry& view) {
+  DataTraits select(LiquidState& liquid, const v1::Look& look, const v1::Scene& scene, const ViewGeometry& view) {
     const core::ParticleSnapshot& particles = *liquid.particles;
     aim(liquid, look, view, particles.spacing);
     if (newParticles_ || !same(liquid.splatsOfModel, look.splats())) {
@@ -236,7 +237,11 @@ class FluidRenderer::Impl {
     const SplatScale& scale = liquid.scale;
     liquid.selection = selectSplats(particles.positions, liquid.model, view,
                                     {scale.radius, scale.dropRadius, scale.nearDepth, maxPointPixels_});
-    return dataTraits(particles, liquid.selection, scale, view, look);
+    DataTraits traits = dataTraits(particles, liquid.selection, scale, view, look);
+    liquid.mirror = BodyMirror::of(particles, look.liquid(), scene, passes_.bodies(), view.eye);
+    traits.cubeMap = liquid.cube.shows({liquid.mirror.middle, static_cast<int>(look.liquid().cube_map().edge()),
+                                        passes_.bodies().changes(), scene.background()});
+    return traits;
   }
 
   void uploadSplats(const FramePlan& plan, std::size_t k, const ViewGeometry& view) {
@@ -277,6 +282,7 @@ class FluidRenderer::Impl {
   void setUpGl() {
     glEnable(GL_PROGRAM_POINT_SIZE);
     glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -293,12 +299,13 @@ class FluidRenderer::Impl {
       placeLightMap(uniforms, light_.map().grid);
       return uniforms;
     };
-    upload(pictureUniforms_, frameUniforms(view));
+    uniforms_ = frameUniforms(view);
+    upload(pictureUniforms_, uniforms_);
     for (std::size_t k = 0; k < liquids_.size(); ++k) {
       LiquidState& liquid = *liquids_[k];
       upload(liquid.surfaceUniforms, frameUniforms(liquid.surfaceView));
       upload(liquid.liquidUniforms, makeLiquidUniforms(liquid.surfaceView, liquid.thicknessView, liquid.scale,
-                                                       plan.surfaces[k], lookOf(scene, k)));
+                                                       plan.surfaces[k], liquid.mirror, lookOf(scene, k)));
     }
   }
 
@@ -310,6 +317,7 @@ class FluidRenderer::Impl {
             scene,
             view,
             pictureUniforms_.name(),
+            uniforms_,
             raster_,
             foam_,
             LiquidTargets(targets_, step.liquid),
@@ -324,6 +332,8 @@ class FluidRenderer::Impl {
             liquid.model,
             liquid.selection,
             liquid.splats,
+            liquid.mirror,
+            liquid.cube,
             liquid.surfaceUniforms.name(),
             liquid.liquidUniforms.name(),
             liquid.marks.violence()};
@@ -359,6 +369,7 @@ class FluidRenderer::Impl {
   SplatRaster raster_;
   std::vector<FoamDot> foam_;  ///< Of the frame at hand.
   gl::StreamBuffer pictureUniforms_;
+  FrameUniforms uniforms_{};
   core::Plan plan_;
 
   std::uint64_t sequence_ = 0;

@@ -58,18 +58,25 @@ struct Disc {
   float opacity;
 };
 
-Disc discOf(const FoamDot& dot, const ViewGeometry& view, std::span<const FoamCover> liquids, float bed) {
+/// The value of a picture at the pixel that a line of sight meets, or the nearest one.
+float valueAt(std::span<const float> values, const ViewGeometry& view, const Vector2f& slope) {
+  const Vector2f pixel = view.toPixel(slope);
+  const int x = std::clamp(static_cast<int>(pixel.x()), 0, view.size.width - 1);
+  const int y = std::clamp(static_cast<int>(pixel.y()), 0, view.size.height - 1);
+  return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.size.width) + static_cast<std::size_t>(x)];
+}
+
+/// What lies on a body is seen, though its middle may be a little inside.
+constexpr float kHidden = 1.01F;
+
+Disc discOf(const FoamDot& dot, const ViewGeometry& view, const FoamCovers& covers) {
   const Vector2f slope(dot.x / dot.z, dot.y / dot.z);
+  if (!covers.sceneDepth.empty() && valueAt(covers.sceneDepth, view, slope) * dot.z > kHidden) return {};
   float nearest = 0;
-  for (const FoamCover& liquid : liquids) {
-    const Vector2f pixel = liquid.view.toPixel(slope);
-    const int x = std::clamp(static_cast<int>(pixel.x()), 0, liquid.view.size.width - 1);
-    const int y = std::clamp(static_cast<int>(pixel.y()), 0, liquid.view.size.height - 1);
-    nearest = std::max(
-        nearest, liquid.inverseDepth[static_cast<std::size_t>(y) * static_cast<std::size_t>(liquid.view.size.width) +
-                                     static_cast<std::size_t>(x)]);
+  for (const FoamCover& liquid : covers.liquids) {
+    nearest = std::max(nearest, valueAt(liquid.inverseDepth, liquid.view, slope));
   }
-  const float below = nearest > 0 ? std::max(0.0F, dot.z - 1 / nearest - bed) : 0;
+  const float below = nearest > 0 ? std::max(0.0F, dot.z - 1 / nearest - covers.bed) : 0;
   const float pixels = dot.radius / (dot.z * view.pixelSlope);
   const float drawn = std::max(pixels, kLeastPixels);
   // A dot that had to be widened is as much thinner.
@@ -117,13 +124,13 @@ float foamBed(const v1::Scene& scene, double spacing) {
   return static_cast<float>((0.5 + scene.look().splats().radius_in_spacings()) * spacing);
 }
 
-void drawFoam(std::span<const FoamDot> dots, const ViewGeometry& view, std::span<const FoamCover> liquids, float bed,
+void drawFoam(std::span<const FoamDot> dots, const ViewGeometry& view, const FoamCovers& covers,
               std::span<float> opticalDepth) {
   const auto count = static_cast<std::ptrdiff_t>(dots.size());
   std::vector<Disc> discs(dots.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
-    discs[static_cast<std::size_t>(i)] = discOf(dots[static_cast<std::size_t>(i)], view, liquids, bed);
+    discs[static_cast<std::size_t>(i)] = discOf(dots[static_cast<std::size_t>(i)], view, covers);
   }
 
   // Pixels whose middle, at a half number, is inside.

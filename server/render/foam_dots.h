@@ -30,9 +30,16 @@ struct FoamCover {
   ViewGeometry view;
 };
 
+/// What a picture of dots is compared with.
+struct FoamCovers {
+  std::span<const FoamCover> liquids;
+  float bed = 0;                           ///< See foamBed.
+  std::span<const float> sceneDepth = {};  ///< Inverse eye depth of floor and bodies in the dots' own view, or empty.
+};
+
 /// Adds up the dots' optical depth along every line of sight on the CPU: what foam.vert and foam.frag draw. Each row is
 /// summed in the order of the dots, so that the result is the same for any number of threads.
-void drawFoam(std::span<const FoamDot> dots, const ViewGeometry& view, std::span<const FoamCover> liquids, float bed,
+void drawFoam(std::span<const FoamDot> dots, const ViewGeometry& view, const FoamCovers& covers,
               std::span<float> opticalDepth);
 
 }  // namespace sluice::render

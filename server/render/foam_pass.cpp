@@ -15,8 +15,10 @@ void drawNatively(const FrameContext& frame) {
     const ViewGeometry view = divided(frame.view, lookOf(frame.scene, k).smoothing().divisor());
     liquids.push_back({frame.targets.read(surface), view});
   }
-  drawFoam(frame.foam, frame.view, liquids, foamBed(frame.scene, frame.particles.spacing),
-           frame.targets.startAnew(Resource::Foam));
+  FoamCovers covers{liquids, foamBed(frame.scene, frame.particles.spacing)};
+  if (frame.plan.buffer(Resource::SceneDepth) != nullptr)
+    covers.sceneDepth = frame.targets.read({Resource::SceneDepth});
+  drawFoam(frame.foam, frame.view, covers, frame.targets.startAnew(Resource::Foam));
 }
 
 }  // namespace
@@ -45,6 +47,9 @@ void FoamPass::run(const FrameContext& frame) {
     ++liquids;
   }
   glProgramUniform1i(program_->name(), 1, liquids);
+  const bool hasBodies = frame.plan.buffer(Resource::SceneDepth) != nullptr;
+  if (hasBodies) bindTexture(frame, 8, Resource::SceneDepth);
+  glProgramUniform1i(program_->name(), 3, hasBodies ? 1 : 0);
   glProgramUniform1f(program_->name(), 2, foamBed(frame.scene, frame.particles.spacing));
 
   buffer_.upload(std::as_bytes(frame.foam));

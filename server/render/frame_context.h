@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "body_mirror.h"
 #include "foam_dots.h"
 #include "frame_targets.h"
 #include "frame_uniforms.h"
@@ -20,8 +21,9 @@ namespace sluice::render {
 struct FrameContext {
   const FramePlan& plan;
   const v1::Scene& scene;
-  const ViewGeometry& view;  ///< Of the picture.
-  GLuint pictureUniforms;    ///< The frame's uniforms of passes that draw into the picture.
+  const ViewGeometry& view;       ///< Of the picture.
+  GLuint pictureUniforms;         ///< The frame's uniforms of passes that draw into the picture.
+  const FrameUniforms& uniforms;  ///< The same.
   SplatRaster& raster;
   std::span<const FoamDot> foam;
   LiquidTargets targets;
@@ -38,6 +40,8 @@ struct FrameContext {
   const SplatModel& model;
   const SplatSelection& selection;
   SplatBuffers& splats;
+  const BodyMirror& mirror;
+  BodyCube& cube;
   GLuint surfaceUniforms;  ///< The frame's uniforms of passes that draw into the surface, or the shaded liquid.
   GLuint liquidUniforms;
   std::span<const float> violence;  ///< Of each particle, or empty: see NoiseMarks.

@@ -49,6 +49,9 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return smoothing_.runOnBack(frame);
     case Pass::Noise:
       return noise_.run(frame);
+    case Pass::CubeMap:
+      bodyShadow_.bind();
+      return cubeMap_.run(frame, bodies_);
     case Pass::BeginPicture:
       if (isStudy(frame.scene.view())) return beginStudy(frame);
       return copy(frame, sceneOf(frame), Resource::Picture);

@@ -25,8 +25,7 @@ class FramePasses {
   /// The bodies of the frames that follow, where they stand; `poses` as in core::ParticleSnapshot. Throws
   /// core::InputError where a mesh cannot be read.
   void setBodies(const v1::Scene& scene, std::span<const core::BodyPose> poses) { bodies_.update(scene, poses); }
-  /// Counts changes of the bodies.
-  std::uint64_t bodyChanges() const { return bodies_.changes(); }
+  const BodyScene& bodies() const { return bodies_; }
   /// Lets every pass know of the lights.
   void bindLights(const v1::Scene& scene);
 
@@ -36,6 +35,7 @@ class FramePasses {
   BodyShadowPass bodyShadow_;
   BodiesPass bodiesPass_;
   ClipThicknessPass clipThickness_;
+  CubeMapPass cubeMap_;
   GlassPass glass_;
   BackgroundPass background_;
   SunlightPass sunlight_;

@@ -46,6 +46,8 @@ std::string_view name(Pass pass) {
       return "back smoothing";
     case Pass::Noise:
       return "noise";
+    case Pass::CubeMap:
+      return "cube map";
     case Pass::BeginPicture:
       return "begin picture";
     case Pass::ExtendScene:
@@ -118,6 +120,8 @@ std::string_view name(Resource resource) {
       return "violence";
     case Resource::Attribute:
       return "attribute";
+    case Resource::CubeMap:
+      return "cube map";
     case Resource::Liquid:
       return "liquid";
     case Resource::Foam:
@@ -154,6 +158,7 @@ bool isOfLiquid(Resource resource) {
     case Resource::Thickness:
     case Resource::ThicknessScratch:
     case Resource::Attribute:
+    case Resource::CubeMap:
       return true;
     default:
       return isAsFineAsSurface(resource);

@@ -21,21 +21,27 @@ Eigen::Vector3f sunDirection(const v1::Sun& sun) {
   return Eigen::Vector3d(direction.x(), direction.y(), direction.z()).normalized().cast<float>();
 }
 
+void aim(FrameUniforms& u, const ViewGeometry& target) {
+  const auto width = static_cast<float>(target.size.width);
+  const auto height = static_cast<float>(target.size.height);
+  u.eye = pack(target.eye, 0.0F);
+  u.rightAndSlope = pack(target.right, target.maxSlope.x());
+  u.downAndSlope = pack(target.down, target.maxSlope.y());
+  u.forwardAndPixel = pack(target.forward, target.pixelSlope);
+  u.pictureSize = {width, height, 1.0F / width, 1.0F / height};
+}
+
 FrameUniforms makeFrameUniforms(const ViewGeometry& view, const ViewGeometry& picture, const v1::Scene& scene) {
   const v1::Background& background = scene.background();
-  const auto width = static_cast<float>(view.size.width);
-  const auto height = static_cast<float>(view.size.height);
   FrameUniforms u{};
-  u.eye = pack(view.eye, 0.0F);
-  u.rightAndSlope = pack(view.right, view.maxSlope.x());
-  u.downAndSlope = pack(view.down, view.maxSlope.y());
-  u.forwardAndPixel = pack(view.forward, view.pixelSlope);
-  u.pictureSize = {width, height, 1.0F / width, 1.0F / height};
+  aim(u, view);
   u.floorAndHaze = {static_cast<float>(background.floor_height()), static_cast<float>(background.tile_size()),
                     background.floor() ? 1.0F : 0.0F, static_cast<float>(background.haze_distance())};
   u.tileLight = pack(background.tile_light());
   u.tileDark = pack(background.tile_dark());
   u.backdrop = pack(background.backdrop().colour(), background.has_backdrop() ? 1.0 : 0.0);
+  // As the picture of the background holds it, so that it makes no difference whether that is looked up.
+  for (float& component : u.backdrop) component = static_cast<float>(Eigen::half(component));
   u.sun = pack(sunDirection(scene.lighting().sun()), background.has_sky() ? 1.0F : 0.0F);
   const v1::Sun& sun = scene.lighting().sun();
   const auto strength = static_cast<float>(sun.strength());

@@ -56,6 +56,9 @@ Eigen::Vector3f sunDirection(const v1::Sun& sun);
 /// into, `picture` that of the picture.
 FrameUniforms makeFrameUniforms(const ViewGeometry& target, const ViewGeometry& picture, const v1::Scene& scene);
 
+/// Points them at another view.
+void aim(FrameUniforms& uniforms, const ViewGeometry& target);
+
 /// Fills in where a light map falls on the floor.
 void placeLightMap(FrameUniforms& uniforms, const LightGrid& grid);
 

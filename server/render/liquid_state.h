@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "body_mirror.h"
 #include "frame_uniforms.h"
 #include "noise_marks.h"
 #include "sluice/core/particle_snapshot.h"
@@ -23,12 +24,14 @@ struct LiquidState {
   SplatModel model;
   v1::Splats splatsOfModel;
   NoiseMarks marks;
+  BodyCube cube;
 
   // Of the frame at hand.
   ViewGeometry surfaceView;
   ViewGeometry thicknessView;
   SplatScale scale;
   SplatSelection selection;
+  BodyMirror mirror;
 
   SplatBuffers splats;
   gl::StreamBuffer surfaceUniforms;  ///< FrameUniforms of passes that draw into the surface.

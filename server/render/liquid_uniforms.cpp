@@ -17,7 +17,7 @@ LiquidUniforms::Vec4 glossOf(const v1::Liquid& liquid) {
 }  // namespace
 
 LiquidUniforms makeLiquidUniforms(const ViewGeometry& surface, const ViewGeometry& thickness, const SplatScale& scale,
-                                  const SurfacePlan& plan, const v1::Look& look) {
+                                  const SurfacePlan& plan, const BodyMirror& mirror, const v1::Look& look) {
   const v1::Liquid& liquid = look.liquid();
   LiquidUniforms u{};
   u.splat = {scale.radius, scale.dropRadius, scale.spacing, plan.flatRims ? kRimDepth : 0.0F};
@@ -29,6 +29,8 @@ LiquidUniforms makeLiquidUniforms(const ViewGeometry& surface, const ViewGeometr
   u.gloss = glossOf(liquid);
   u.emission = pack(liquid.emission());
   u.reflectance = pack(liquid.metal().reflectance());
+  u.cubeAndReach = pack(mirror.middle, mirror.reach);
+  u.mirrorSteps = {static_cast<float>(mirror.steps), 0.0F, 0.0F, 0.0F};
   return u;
 }
 

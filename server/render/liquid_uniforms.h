@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "body_mirror.h"
 #include "frame_uniforms.h"
 #include "sluice/render/frame_plan.h"
 #include "sluice/v1/scene.pb.h"
@@ -23,10 +24,12 @@ struct LiquidUniforms {
   Vec4 gloss;
   Vec4 emission;
   Vec4 reflectance;
+  Vec4 cubeAndReach;
+  Vec4 mirrorSteps;
 };
 
 /// `surface` and `thickness` are the views of the liquid's two buffers.
 LiquidUniforms makeLiquidUniforms(const ViewGeometry& surface, const ViewGeometry& thickness, const SplatScale& scale,
-                                  const SurfacePlan& plan, const v1::Look& look);
+                                  const SurfacePlan& plan, const BodyMirror& mirror, const v1::Look& look);
 
 }  // namespace sluice::render

@@ -32,16 +32,16 @@ class BackgroundPass {
   std::map<std::pair<bool, bool>, gl::Program> floors_;  ///< By whether bodies shade it, and lamps light it.
 };
 
-/// Copies the background into the scene and puts the sunlight right that meets the floor behind liquid.
+/// Copies the background into the scene and puts the sunlight right that meets floor and bodies behind liquid.
 class SunlightPass {
  public:
-  SunlightPass();
   void run(const FrameContext& frame, const KeptLightMap& light);
 
  private:
   void upload(const LightMap& map);
 
-  gl::Program program_;
+  std::optional<gl::Program> onFloor_;
+  std::optional<gl::Program> onBodies_;
   gl::Texture texture_;
   core::ImageSize size_;
   std::uint64_t version_ = 0;  ///< Of the map in the texture.

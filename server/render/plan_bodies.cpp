@@ -1,12 +1,11 @@
 #include <algorithm>
 
+#include "composite_variant.h"
 #include "planner.h"
 
 namespace sluice::render {
 
-bool Planner::hasBodies() const {
-  return std::ranges::any_of(scene_.bodies(), [](const v1::Body& body) { return !body.has_glass(); });
-}
+bool Planner::hasBodies() const { return hasMatteBodies(scene_); }
 
 bool Planner::hasGlass() const {
   return std::ranges::any_of(scene_.bodies(), [](const v1::Body& body) { return body.has_glass(); });

@@ -1,5 +1,4 @@
 #include "composite_variant.h"
-#include "environment.h"
 #include "planner.h"
 
 namespace sluice::render {
@@ -29,9 +28,12 @@ void Planner::planComposites() {
 
 void Planner::planComposite(int layer) {
   const v1::Liquid& liquid = look().liquid();
-  std::vector<Resource> reads{sceneUnderLiquid(), Resource::Surface, Resource::Stencil};
+  std::vector<Resource> reads{Resource::Surface, Resource::Stencil};
+  if (looksUpScene(compositeVariant(liquid, scene_, plan_.layers > 1))) reads.push_back(sceneUnderLiquid());
   if (!isOpaque(liquid)) reads.push_back(Resource::Thickness);
   if (refractionOf(liquid) == Refraction::TwoInterfaces) reads.push_back(Resource::BackSurface);
+  if (!whyNoCubeMap(liquid, scene_)) reads.push_back(Resource::CubeMap);
+  if (hasBodies()) reads.push_back(Resource::SceneDepth);
   for (const Resource noise : {Resource::Noise, Resource::Violence}) {
     if (plan_.buffer(id(noise)) != nullptr) reads.push_back(noise);
   }
@@ -58,6 +60,8 @@ void Planner::leaveOutOptics() {
     leaveOut("specular highlight", lighting.sun().strength() > 0 ? specular : "lighting.sun.strength is 0");
   }
   if (const auto why = whyNoReflection(liquid, scene_.background())) leaveOut("reflection", *why);
+  const auto plain = whyPlainBehind(scene_, plan_.layers > 1);
+  if (plain && !isOpaque(liquid)) leaveOut("refraction's look-up", *plain);
 }
 
 void Planner::planSpray() {

@@ -25,6 +25,7 @@ void Planner::planFoam() {
   for (const PictureBuffer& buffer : plan_.buffers) {
     if (buffer.id.resource == Resource::Surface) foam.reads.push_back(buffer.id);
   }
+  if (plan_.buffer(Resource::SceneDepth) != nullptr) foam.reads.push_back({Resource::SceneDepth});
   plan_.steps.push_back(std::move(foam));
   run(Pass::BlendFoam, {Resource::Foam}, {Resource::Picture});
 }

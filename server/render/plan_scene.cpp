@@ -19,8 +19,8 @@ void Planner::planSunlight() {
   const v1::Sun& sun = scene_.lighting().sun();
   if (liquidsWithSplats() == 0 && !anySpray()) {
     leaveOut(Pass::Sunlight, "no liquid is in the picture");
-  } else if (!scene_.background().floor()) {
-    leaveOut(Pass::Sunlight, "there is no floor");
+  } else if (!scene_.background().floor() && !hasBodies()) {
+    leaveOut(Pass::Sunlight, "there is no floor, nor a body, that it could fall on");
   } else if (sun.strength() <= 0) {
     leaveOut(Pass::Sunlight, "lighting.sun.strength is 0");
   } else if (sunDirection(sun).y() < LightMapper::kLeastRise) {
@@ -30,7 +30,9 @@ void Planner::planSunlight() {
   } else {
     hasScene_ = true;
     allocate(Resource::Scene, PixelFormat::Rgba16f, size_);
-    run(Pass::Sunlight, {Resource::Particles, Resource::Background}, {Resource::LightMap, Resource::Scene});
+    std::vector<Resource> reads{Resource::Particles, Resource::Background};
+    if (hasBodies()) reads.push_back(Resource::SceneDepth);
+    run(Pass::Sunlight, reads, {Resource::LightMap, Resource::Scene});
     planCaustics();
   }
 }

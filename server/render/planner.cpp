@@ -36,6 +36,7 @@ FramePlan Planner::plan() {
     planGlassBehind();
   } else {
     forEachLiquid([&] { planSurface(); });
+    forEachLiquid([&] { planCubeMap(); });
     planGlassBehind();
     planComposites();
     planBodyEdges();

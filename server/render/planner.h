@@ -55,6 +55,8 @@ class Planner {
   void leaveOutOptics();
   void planSpray();
   void planToneMap();
+  // plan_cube_map.cpp
+  void planCubeMap();
   // plan_foam.cpp
   void planFoam();
 

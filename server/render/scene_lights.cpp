@@ -19,6 +19,16 @@ SceneLights::Vec4 row(const Eigen::Vector3f& axis, const Eigen::Vector3f& origin
   return pack(scale * axis, 0.5F - scale * axis.dot(origin));
 }
 
+/// The smallest ball around two.
+BodyScene::Ball around(const BodyScene::Ball& a, const BodyScene::Ball& b) {
+  const Eigen::Vector3f way = b.centre - a.centre;
+  const float distance = way.norm();
+  if (distance + b.radius <= a.radius) return a;
+  if (distance + a.radius <= b.radius) return b;
+  const float radius = 0.5F * (distance + a.radius + b.radius);
+  return {a.centre + way * ((radius - a.radius) / distance), radius};
+}
+
 }  // namespace
 
 SceneLights makeSceneLights(const v1::Scene& scene, const BodyScene& bodies) {
@@ -50,17 +60,22 @@ SceneLights makeSceneLights(const v1::Scene& scene, const BodyScene& bodies) {
     lights.lampLight[i] = scaled(lamp.colour(), lamp.strength());
   }
 
-  std::vector<BodyScene::Ball> contacts;
+  std::vector<BodyScene::Ball> balls;
   for (const BodyInstance& body : bodies.bodies()) {
-    if (!body.isGlass()) contacts.push_back(boundsOf(body));
+    if (!body.isGlass()) balls.push_back(boundsOf(body));
   }
-  std::ranges::sort(contacts, std::ranges::greater{}, &BodyScene::Ball::radius);
-  const std::size_t count = std::min(contacts.size(), lights.contact.size());
-  lights.counts[1] = static_cast<float>(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  std::ranges::sort(balls, std::ranges::greater{}, &BodyScene::Ball::radius);
+  const std::size_t contacts = std::min(balls.size(), lights.contact.size());
+  lights.counts[1] = static_cast<float>(contacts);
+  for (std::size_t i = 0; i < contacts; ++i) {
     // Of the ball around the bounds, a body fills about this much of the radius.
-    lights.contact[i] = pack(contacts[i].centre, 0.6F * contacts[i].radius);
+    lights.contact[i] = pack(balls[i].centre, 0.6F * balls[i].radius);
   }
+  // The smallest of many share the last.
+  for (std::size_t i = lights.body.size(); i < balls.size(); ++i) {
+    balls[lights.body.size() - 1] = around(balls[lights.body.size() - 1], balls[i]);
+  }
+  for (std::size_t i = 0; i < contacts; ++i) lights.body[i] = pack(balls[i].centre, balls[i].radius);
   return lights;
 }
 

@@ -20,6 +20,7 @@ struct SceneLights {
   std::array<Vec4, 8> lampPlace;
   std::array<Vec4, 8> lampLight;
   std::array<Vec4, 8> contact;
+  std::array<Vec4, 8> body;
 };
 
 /// Texels along either side of the bodies' shadow map.

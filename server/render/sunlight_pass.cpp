@@ -1,8 +1,8 @@
+#include <array>
+
 #include "passes.h"
 
 namespace sluice::render {
-
-SunlightPass::SunlightPass() : program_(shaders().program("sunlight.vert", "sunlight.frag")) {}
 
 void SunlightPass::run(const FrameContext& frame, const KeptLightMap& light) {
   copy(frame, Resource::Background, Resource::Scene);
@@ -13,8 +13,18 @@ void SunlightPass::run(const FrameContext& frame, const KeptLightMap& light) {
   beginTarget(frame, Resource::Scene);
   bindTexture(frame, 0, Resource::Background);
   glBindTextureUnit(1, texture_.name());
-  glUseProgram(program_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  if (frame.scene.background().floor()) {
+    if (!onFloor_) onFloor_ = shaders().program("sunlight.vert", "sunlight.frag");
+    glUseProgram(onFloor_->name());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  if (frame.plan.buffer(Resource::SceneDepth) != nullptr) {
+    constexpr std::array<std::string_view, 1> kBodies{"BODIES"};
+    if (!onBodies_) onBodies_ = shaders().program("picture.vert", "sunlight.frag", kBodies);
+    bindTexture(frame, 7, Resource::SceneDepth);
+    glUseProgram(onBodies_->name());
+    drawPicture();
+  }
 }
 
 void SunlightPass::upload(const LightMap& map) {

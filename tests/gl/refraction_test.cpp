@@ -32,16 +32,17 @@ std::string surroundings(double floorHeight, const std::string& absorption) {
          absorption +
          ", 1.333), vec4(0.0), vec4(1.0), vec4(0.1));\n"
          "vec3 toWorldDirection(vec3 v) { return vec3(v.x, -v.y, v.z); }\n"
-         "vec3 lightBelow(vec3 normal, float spread) { return vec3(1.0); }\n";
+         "vec3 lightBelow(vec3 point, vec3 normal, float spread) { return vec3(1.0); }\n";
 }
 
 /// Red of an expression of clear_body.glsl, over a scene of 1024 rows whose radiance is that of `row`.
 float evaluate(const std::string& around, const std::string& expression, float (*row)(float)) {
   // The library refers to texts; it does not own them.
-  const std::string main = around + "#include \"fresnel.glsl\"\n#include \"refraction.glsl\"\n" +
-                           "#include \"clear_body.glsl\"\nout float value;\nvoid main() { value = " + expression +
+  const std::string main = around + "#include \"fresnel.glsl\"\n#include \"picture_place.glsl\"\n" +
+                           "#include \"refraction.glsl\"\n#include \"clear_body.glsl\"\nout float value;\nvoid main() { value = " + expression +
                            "; }\n";
   const std::string fresnel = read("fresnel.glsl");
+  const std::string place = read("picture_place.glsl");
   const std::string refraction = read("refraction.glsl");
   const std::string clearBody = read("clear_body.glsl");
   const ShaderLibrary library(
@@ -50,6 +51,7 @@ float evaluate(const std::string& around, const std::string& expression, float (
         "0.0, 1.0); }\n"},
        {"main.frag", main},
        {"fresnel.glsl", fresnel},
+       {"picture_place.glsl", place},
        {"refraction.glsl", refraction},
        {"two_interfaces.glsl", "\n"},
        {"clear_body.glsl", clearBody}});

@@ -34,6 +34,7 @@ enum class Pass : std::uint8_t {
   BackSplats,
   BackSmoothing,
   Noise,
+  CubeMap,
   GlassBehind,
   BeginPicture,
   ExtendScene,
@@ -74,6 +75,7 @@ enum class Resource : std::uint8_t {
   NoiseSums,  ///< What the noise is made of, see noise.frag.
   Violence,   ///< How shaken the liquid is, 0 to 1.
   Attribute,  ///< A value of the particles at the surface.
+  CubeMap,    ///< Light and distance of the bodies around the liquid's middle.
   Liquid,     ///< The shaded liquid alone, where it is drawn smaller than the picture.
   Foam,       ///< Optical depth of spray, foam and bubbles: they hide 1 - exp(-it) of what is behind.
   Picture,    ///< Scene and liquid in linear light.
@@ -123,6 +125,7 @@ struct DataTraits {
   bool neighbourCounts = false;    ///< numbers of neighbours,
   bool ids = false;                ///< ids,
   bool velocities = false;         ///< and velocities.
+  bool cubeMap = false;            ///< The last frame's cube map shows what a new one would.
   std::string_view velocityMapMissing = {};  ///< Why the look's velocity map cannot be drawn; empty where it can.
   std::string_view colourMapMissing = {};    ///< The same of its colour map.
 

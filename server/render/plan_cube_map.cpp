@@ -1,0 +1,18 @@
+#include "composite_variant.h"
+#include "planner.h"
+
+namespace sluice::render {
+
+void Planner::planCubeMap() {
+  if (const auto why = whyNoCubeMap(look().liquid(), scene_)) {
+    leaveOut(Pass::CubeMap, *why);
+  } else if (traits().cubeMap) {
+    leaveOut(Pass::CubeMap, "bodies, light and the liquid's middle are those of the last frame");
+  } else {
+    std::vector<Resource> reads{Resource::Particles};
+    if (plan_.runs(Pass::BodyShadow)) reads.push_back(Resource::BodyShadowMap);
+    run(Pass::CubeMap, reads, {Resource::CubeMap});
+  }
+}
+
+}  // namespace sluice::render
