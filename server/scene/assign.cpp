@@ -148,7 +148,7 @@ void assignOne(v1::Scene& scene, const std::string& assignment) {
   }
   const std::string path(trimmed(std::string_view(assignment).substr(0, equals)));
   const std::string value(trimmed(std::string_view(assignment).substr(equals + 1)));
-  const Place place = resolve(scene, path);
+  const Place place = resolve(scene, path, PastTheEnd::Appends);
   const FieldDescriptor& field = *place.step.field;
   const Reflection& reflection = *place.holder->GetReflection();
   if (field.is_repeated() && (place.step.index < 0 || !isMessage(field))) {

@@ -52,15 +52,21 @@ std::vector<Segment> split(const std::string& path) {
   }
 }
 
-void checkIndex(const Message& holder, const google::protobuf::FieldDescriptor& field, const Segment& segment,
-                const std::string& path) {
+void checkIndex(Message& holder, const google::protobuf::FieldDescriptor& field, const Segment& segment,
+                const std::string& path, PastTheEnd pastTheEnd) {
   if (!segment.index) return;
   if (!field.is_repeated()) throw InputError("", path, field.name() + " is not a list; write it without an index");
   const int size = holder.GetReflection()->FieldSize(holder, &field);
   if (*segment.index < size) return;
+  const bool appends = pastTheEnd == PastTheEnd::Appends && isMessage(field);
+  if (appends && *segment.index == size) {
+    holder.GetReflection()->AddMessage(&holder, &field);
+    return;
+  }
   std::string there = "is empty";
   if (size == 1) there = "has 1 element; the only index is 0";
   if (size > 1) there = "has " + std::to_string(size) + " elements; the last index is " + std::to_string(size - 1);
+  if (appends) there += "; index " + std::to_string(size) + " would add one";
   throw InputError("", path,
                    "there is no element " + std::to_string(*segment.index) + ": " + field.name() + " " + there);
 }
@@ -81,7 +87,7 @@ std::string joinPaths(const std::string& outer, const std::string& inner) {
   return outer + (outer.empty() || inner.empty() ? "" : ".") + inner;
 }
 
-Place resolve(Message& root, const std::string& path) {
+Place resolve(Message& root, const std::string& path, PastTheEnd pastTheEnd) {
   const std::vector<Segment> segments = split(path);
   FieldPath walked;
   Message* message = &root;
@@ -95,7 +101,7 @@ Place resolve(Message& root, const std::string& path) {
           "", path,
           where + " has no field " + inQuotes(segment.name) + "; " + suggestNames(segment.name, fieldNames(type)));
     }
-    checkIndex(*message, *field, segment, path);
+    checkIndex(*message, *field, segment, path, pastTheEnd);
     const FieldStep step{field, segment.index.value_or(-1)};
     if (i + 1 == segments.size()) return {message, step};
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,9 +29,12 @@ struct Place {
   FieldStep step;
 };
 
+/// What an index one past the end of a list does.
+enum class PastTheEnd : std::uint8_t { Refused, Appends };
+
 /// Walks a path as people write it ("simulation.fluids[0].viscosity") from `root`. Absent messages on the way come into
-/// being, which chooses members of oneofs and switches features on. Throws InputError naming the segment that does not
-/// exist and what does exist there.
-Place resolve(google::protobuf::Message& root, const std::string& path);
+/// being, which chooses members of oneofs and switches features on; so does the next element of a list of messages,
+/// where asked for. Throws InputError naming the segment that does not exist and what does exist there.
+Place resolve(google::protobuf::Message& root, const std::string& path, PastTheEnd pastTheEnd = PastTheEnd::Refused);
 
 }  // namespace sluice::scene

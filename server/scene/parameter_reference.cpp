@@ -12,7 +12,8 @@ constexpr const char* kIntroduction = R"(# Parameters
 
 Everything a scene can set, read off the annotated fields of `proto/sluice/v1/scene.proto`; do not edit this page by
 hand. A path is written as in `--set path=value` and in the viewers' requests: vectors and colours as `1,2,3`, a choice
-as `look.smoothing.bilateral={}`, an element of a list by its index. In a scene file the same fields are nested in
+as `look.smoothing.bilateral={}`, an element of a list by its index; for `--set`, the index one past the end adds an
+element, as `bodies[0].sphere={}` does where there are no bodies. In a scene file the same fields are nested in
 protobuf text format. A vector that a scene gives in part has 0 in the components it does not give. A *live* parameter
 takes effect from the next step or frame on; a *restart* one starts the scene again from its initial state.
 )";

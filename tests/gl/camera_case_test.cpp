@@ -1,23 +1,16 @@
 // Cameras and clouds that break careless renderers: no GL error, nothing that is not finite, the same picture twice.
+#include "camera_cases.h"
 #include "render_test.h"
 #include "sluice/core/input_error.h"
 
 namespace sluice::testing {
 namespace {
 
-struct Case {
-  std::string name;
-  core::Camera camera;
-  core::ImageSize size{96, 72};
-};
+class CameraCases : public RenderTest, public ::testing::WithParamInterface<CameraCase> {};
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
-
-class CameraCase : public RenderTest, public ::testing::WithParamInterface<Case> {};
-
-TEST_P(CameraCase, GivesAFiniteAndRepeatablePicture) {
-  const Case& c = GetParam();
-  const core::ParticleSnapshot particles = columnAndSheet(1500);
+TEST_P(CameraCases, GivesAFiniteAndRepeatablePicture) {
+  const CameraCase& c = GetParam();
+  const core::ParticleSnapshot particles = columnAndSheet(kCameraCaseParticles);
   look.mutable_smoothing()->mutable_curvature_flow()->set_max_iterations(20);
   for (const int method : {0, 1, 2}) {
     if (method == 1) look.mutable_smoothing()->mutable_bilateral();
@@ -33,9 +26,9 @@ TEST_P(CameraCase, GivesAFiniteAndRepeatablePicture) {
   }
 }
 
-TEST_P(CameraCase, IsFiniteWithNoise) {
-  const Case& c = GetParam();
-  core::ParticleSnapshot particles = columnAndSheet(1500);
+TEST_P(CameraCases, IsFiniteWithNoise) {
+  const CameraCase& c = GetParam();
+  core::ParticleSnapshot particles = columnAndSheet(kCameraCaseParticles);
   for (std::size_t i = 0; i < particles.size(); ++i) particles.ids.push_back(static_cast<std::uint32_t>(i));
   particles.velocities.assign(particles.size(), Eigen::Vector3f::Zero());
   look.mutable_noise()->set_amplitude(5);
@@ -53,9 +46,9 @@ TEST_P(CameraCase, IsFiniteWithNoise) {
   EXPECT_EQ(first.pixels, render(particles, c.camera, c.size).pixels);
 }
 
-TEST_P(CameraCase, IsFiniteForEveryShape) {
-  const Case& c = GetParam();
-  core::ParticleSnapshot particles = columnAndSheet(1500);
+TEST_P(CameraCases, IsFiniteForEveryShape) {
+  const CameraCase& c = GetParam();
+  core::ParticleSnapshot particles = columnAndSheet(kCameraCaseParticles);
   // Every tenth is spray.
   particles.densities.assign(particles.size(), 1000.0F);
   for (std::size_t i = 0; i < particles.size(); i += 10) particles.densities[i] = 100.0F;
@@ -74,28 +67,7 @@ TEST_P(CameraCase, IsFiniteForEveryShape) {
   }
 }
 
-const Eigen::Vector3f kUp(0, 1, 0);
-const Eigen::Vector3f kMiddle(0.85F, 0.25F, 0.5F);
-
-INSTANTIATE_TEST_SUITE_P(Cases, CameraCase,
-                         ::testing::Values(Case{"InsideTheColumn", {{0.25F, 0.3F, 0.5F}, kMiddle, kUp, 45}},
-                                           Case{"SkimmingTheSheet",
-                                                {{1.9F, 0.12F, 0.5F}, {0.2F, 0.11F, 0.5F}, kUp, 45}},
-                                           Case{"AtAParticle", {columnAndSheet(1500).positions[40], kMiddle, kUp, 45}},
-                                           Case{"BehindTheCamera", {{1.9F, 1.25F, 3}, {3, 2, 6}, kUp, 45}},
-                                           Case{"NarrowLens", {{1.9F, 1.25F, 3}, kMiddle, kUp, 5}},
-                                           Case{"WideLens", {{1.0F, 0.5F, 0.9F}, kMiddle, kUp, 120}},
-                                           Case{"WidePicture", {{1.9F, 1.25F, 3}, kMiddle, kUp, 45}, {240, 60}},
-                                           Case{"SubPixelSplats", {{200, 150, 300}, kMiddle, kUp, 45}},
-                                           Case{"VeryFar", {{4e4F, 3e4F, 6e4F}, kMiddle, kUp, 1}},
-                                           Case{"HugeSplats", {{0.85F, 0.25F, 0.56F}, kMiddle, kUp, 20}, {400, 300}},
-                                           Case{"StraightDown", {{0.85F, 3, 0.5F}, kMiddle, kUp, 45}},
-                                           Case{"EyeAtTarget", {kMiddle, kMiddle, kUp, 45}},
-                                           Case{"BelowTheFloor", {{0.85F, -1, 2}, kMiddle, kUp, 45}},
-                                           Case{"OnTheFloor", {{0.85F, 0, 2}, {0.85F, 0, 0.5F}, kUp, 45}},
-                                           Case{"OnePixel", {{1.9F, 1.25F, 3}, kMiddle, kUp, 45}, {1, 1}},
-                                           Case{"OneColumn", {{1.9F, 1.25F, 3}, kMiddle, kUp, 45}, {1, 33}},
-                                           Case{"OddSize", {{1.9F, 1.25F, 3}, kMiddle, kUp, 45}, {101, 67}}),
+INSTANTIATE_TEST_SUITE_P(Every, CameraCases, ::testing::ValuesIn(cameraCases()),
                          [](const auto& testCase) { return testCase.param.name; });
 
 class Clouds : public RenderTest {};

@@ -14,6 +14,26 @@ class Gate : public RenderTest {
     }
     return false;
   }
+  /// Why the last frame did without it; empty where it did not.
+  std::string whyNot(std::string_view what) const {
+    for (const core::LeftOut& entry : renderer.plan().leftOut) {
+      if (entry.name == what) return entry.reason;
+    }
+    return "";
+  }
+  core::Frame draw() { return render(particles, camera, size); }
+  static void set(v1::Vec3& v, double x, double y, double z) {
+    v.set_x(x);
+    v.set_y(y);
+    v.set_z(z);
+  }
+  /// Surroundings that shed no light: what mirrors them adds nothing. The sun remains, and shows an opaque liquid.
+  void surroundWithBlack() {
+    background.set_floor(false);
+    set(*background.mutable_uniform()->mutable_radiance(), 0, 0, 0);
+    look.mutable_liquid()->set_opaque(true);
+    sun.set_strength(1);
+  }
 
   core::ParticleSnapshot particles = columnAndSheet(3000);
   core::Camera camera = columnAndSheetCamera();
@@ -135,6 +155,102 @@ TEST_F(Gate, ShadowOfNoStrengthIsTheSame) {
   const core::Frame with = render(particles, camera, size);
   EXPECT_TRUE(ran("sunlight"));
   EXPECT_EQ(without.pixels, with.pixels);
+}
+
+TEST_F(Gate, NoReflectionIsAReflectionOfBlack) {
+  surroundWithBlack();
+  look.mutable_liquid()->mutable_surroundings();
+  const core::Frame with = draw();
+  EXPECT_EQ(whyNot("reflection"), "");
+  look.mutable_liquid()->mutable_no_reflection();
+  const core::Frame without = draw();
+  EXPECT_EQ(whyNot("reflection"), "look.liquid.no_reflection is chosen");
+  EXPECT_EQ(without.pixels, with.pixels);
+  // The test can fail: of a bright world there is a reflection.
+  set(*background.mutable_uniform()->mutable_radiance(), 1, 1, 1);
+  const core::Frame dull = draw();
+  look.mutable_liquid()->mutable_surroundings();
+  EXPECT_NE(draw().pixels, dull.pixels);
+}
+
+TEST_F(Gate, BlackBackdropIsUniformDarkness) {
+  surroundWithBlack();
+  const core::Frame dark = draw();
+  set(*background.mutable_backdrop()->mutable_colour(), 0, 0, 0);
+  const core::Frame backdrop = draw();
+  EXPECT_EQ(whyNot("reflection"), "a backdrop is not mirrored");
+  EXPECT_EQ(backdrop.pixels, dark.pixels);
+}
+
+TEST_F(Gate, CausticsOfNoStrengthAreTheSame) {
+  sun.set_caustics(0);
+  const core::Frame without = draw();
+  EXPECT_EQ(whyNot("caustics"), "lighting.sun.caustics is 0");
+  EXPECT_TRUE(ran("sunlight")) << "for the shadow";
+  sun.set_caustics(1e-9);
+  const core::Frame with = draw();
+  EXPECT_EQ(whyNot("caustics"), "");
+  EXPECT_EQ(without.pixels, with.pixels);
+  sun.set_caustics(1);
+  EXPECT_NE(draw().pixels, without.pixels);
+}
+
+TEST_F(Gate, CausticsNeedALiquidThatRefracts) {
+  look.mutable_liquid()->set_refractive_index(1);
+  const core::Frame asked = draw();
+  EXPECT_EQ(whyNot("caustics"), "no liquid lets light through and refracts it");
+  sun.set_caustics(0);
+  EXPECT_EQ(draw().pixels, asked.pixels);
+}
+
+TEST_F(Gate, SunOfNoStrengthIsTheSame) {
+  sun.set_strength(0);
+  const core::Frame without = draw();
+  EXPECT_EQ(whyNot("sunlight"), "lighting.sun.strength is 0");
+  EXPECT_EQ(whyNot("specular highlight"), "lighting.sun.strength is 0");
+  sun.set_strength(1e-9);
+  const core::Frame with = draw();
+  EXPECT_TRUE(ran("sunlight"));
+  EXPECT_EQ(without.pixels, with.pixels);
+}
+
+TEST_F(Gate, SunBelowTheHorizonHasNoShadowToBeStrong) {
+  set(*sun.mutable_direction(), 0.4, -0.2, 0.3);
+  const core::Frame strong = draw();
+  EXPECT_EQ(whyNot("sunlight"), "the sun is at the horizon or below");
+  sun.set_shadow(0);
+  sun.set_caustics(0);
+  EXPECT_EQ(draw().pixels, strong.pixels);
+}
+
+TEST_F(Gate, MapsOfNoStrengthAreTheSame) {
+  particles.velocities.assign(particles.size(), {0, 3, 0});
+  const core::Frame without = draw();
+  EXPECT_EQ(whyNot("velocity map"), "the look has none");
+  look.mutable_velocity_map();
+  look.mutable_colour_map();
+  scene::complete(look);
+  look.mutable_velocity_map()->set_strength(0);
+  look.mutable_colour_map()->set_strength(0);
+  EXPECT_EQ(draw().pixels, without.pixels);
+  EXPECT_EQ(whyNot("velocity map"), "look.velocity_map.strength is 0");
+  EXPECT_EQ(whyNot("colour map"), "look.colour_map.strength is 0");
+  look.mutable_velocity_map()->set_strength(1e-9);
+  look.mutable_colour_map()->set_strength(1e-9);
+  EXPECT_EQ(draw().pixels, without.pixels);
+  EXPECT_TRUE(ran("velocity map"));
+  EXPECT_TRUE(ran("colour map"));
+}
+
+TEST_F(Gate, LampsOfNoStrengthAreTheSame) {
+  const core::Frame without = draw();
+  EXPECT_EQ(whyNot("lamps"), "lighting.point_lights is empty");
+  set(*scene.mutable_lighting()->add_point_lights()->mutable_position(), 1, 0.3, 1.2);
+  scene::complete(scene);
+  scene.mutable_lighting()->mutable_point_lights(0)->set_strength(0);
+  EXPECT_EQ(draw().pixels, without.pixels);
+  scene.mutable_lighting()->mutable_point_lights(0)->set_strength(1);
+  EXPECT_NE(draw().pixels, without.pixels);
 }
 
 TEST_F(Gate, NoParticlesShowTheBackground) {

@@ -97,6 +97,23 @@ TEST_F(Golden, Foam) {
   EXPECT_EQ(compareWithGolden("foam", draw()), "");
 }
 
+/// A box half in the sheet, a ball before it and a cylinder behind the column, each of a colour of its own.
+TEST_F(Golden, Bodies) {
+  assign({"bodies[0].box.size=0.3,0.3,0.3", "bodies[0].position=1.1,0.1,0.6", "bodies[0].rotation_degrees=0,30,0",
+          "bodies[0].matte.colour=0.75,0.2,0.12", "bodies[1].sphere.radius=0.16", "bodies[1].position=0.75,0.16,1.35",
+          "bodies[1].matte={colour {x: 0.85 y: 0.75 z: 0.3} roughness: 0.15}",
+          "bodies[2].cylinder={radius: 0.15 height: 1.1}", "bodies[2].position=0.2,0.55,-0.3",
+          "bodies[2].matte.colour=0.3,0.55,0.3"});
+  EXPECT_EQ(compareWithGolden("bodies", draw()), "");
+}
+
+TEST_F(Golden, Glass) {
+  // A tank around the liquid: panes behind it, before it, and rims.
+  assign({"bodies[0].box={size {x: 2.06 y: 1.2 z: 1.06} open_top: true}", "bodies[0].position=1,0.6,0.5",
+          "bodies[0].glass={}"});
+  EXPECT_EQ(compareWithGolden("glass", draw()), "");
+}
+
 /// One picture for each member of Smoothing.method, named like it.
 class GoldenOfSmoothing : public Golden, public ::testing::WithParamInterface<std::string> {};
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "column_and_sheet.h"
 #include "sluice/gl/context.h"
@@ -25,6 +27,12 @@ class RenderTest : public ::testing::Test {
 
   core::Frame render(const core::ParticleSnapshot& particles, const core::Camera& camera, core::ImageSize size) {
     return renderer.render(particles, scene, camera, size);
+  }
+
+  /// As with --set. From then on use `scene` alone: `look`, `background` and `sun` may refer to what is gone.
+  void assign(const std::vector<std::string>& assignments) {
+    scene.mutable_column_and_sheet();  // so that it is valid; tests bring particles of their own
+    scene::assign(scene, assignments);
   }
 
   static core::ParticleSnapshot cloud(std::vector<Eigen::Vector3f> positions, double spacing) {

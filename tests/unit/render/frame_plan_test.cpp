@@ -31,6 +31,13 @@ class FramePlanTest : public ::testing::Test {
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
+  /// Why a frame does without it; empty where it does not.
+  std::string whyNot(std::string_view what) const {
+    for (const core::LeftOut& entry : plan().leftOut) {
+      if (entry.name == what) return entry.reason;
+    }
+    return "";
+  }
   static auto names(std::string_view name) { return Contains(Field(&core::LeftOut::name, std::string(name))); }
 
   v1::Scene scene;
@@ -174,6 +181,48 @@ TEST_F(FramePlanTest, ShadowNeedsFloorAndStrength) {
   EXPECT_EQ(p.buffer(Resource::Scene), nullptr);
 }
 
+TEST_F(FramePlanTest, SaysWhyThereIsNoSunlight) {
+  EXPECT_EQ(whyNot("sunlight"), "");
+  background.set_floor(false);
+  EXPECT_EQ(whyNot("sunlight"), "there is no floor");
+  background.set_floor(true);
+  sun.set_shadow(0);
+  EXPECT_EQ(whyNot("sunlight"), "lighting.sun.shadow is 0");
+  sun.mutable_direction()->set_y(0);
+  EXPECT_EQ(whyNot("sunlight"), "the sun is at the horizon or below");
+  sun.set_strength(0);
+  EXPECT_EQ(whyNot("sunlight"), "lighting.sun.strength is 0");
+  traits.points = 0;
+  EXPECT_EQ(whyNot("sunlight"), "no liquid is in the picture");
+}
+
+TEST_F(FramePlanTest, SaysWhyThereAreNoCaustics) {
+  EXPECT_EQ(whyNot("caustics"), "");
+  look.mutable_liquid()->set_refractive_index(1);
+  EXPECT_EQ(whyNot("caustics"), "no liquid lets light through and refracts it");
+  look.mutable_liquid()->set_refractive_index(1.333);
+  look.mutable_liquid()->set_opaque(true);
+  EXPECT_EQ(whyNot("caustics"), "no liquid lets light through and refracts it");
+  more = {traits};  // takes `look`
+  EXPECT_EQ(whyNot("caustics"), "no liquid lets light through and refracts it");
+  *scene.add_more_looks() = look;
+  scene.mutable_more_looks(0)->mutable_liquid()->set_opaque(false);
+  EXPECT_EQ(whyNot("caustics"), "") << "the second does";
+  sun.set_caustics(0);
+  EXPECT_EQ(whyNot("caustics"), "lighting.sun.caustics is 0");
+  EXPECT_TRUE(plan().runs(Pass::Sunlight)) << "for the shadow";
+}
+
+TEST_F(FramePlanTest, SaysWhyNothingIsMirrored) {
+  EXPECT_EQ(whyNot("reflection"), "");
+  background.mutable_backdrop();
+  EXPECT_EQ(whyNot("reflection"), "a backdrop is not mirrored");
+  look.mutable_liquid()->mutable_no_reflection();
+  EXPECT_EQ(whyNot("reflection"), "look.liquid.no_reflection is chosen");
+  background.mutable_sky();
+  EXPECT_EQ(whyNot("reflection"), "look.liquid.no_reflection is chosen");
+}
+
 TEST_F(FramePlanTest, LargeSplatsHaveTheirOwnPasses) {
   EXPECT_FALSE(plan().runs(Pass::LargeSplats));
   traits.largeSplats = 3;
@@ -182,12 +231,7 @@ TEST_F(FramePlanTest, LargeSplatsHaveTheirOwnPasses) {
 }
 
 TEST_F(FramePlanTest, SprayIsDrawnLastWhereThereIsAny) {
-  const auto reason = [&] {
-    for (const core::LeftOut& entry : plan().leftOut) {
-      if (entry.name == "spray") return entry.reason;
-    }
-    return std::string();
-  };
+  const auto reason = [&] { return whyNot("spray"); };
   EXPECT_EQ(reason(), "the source gives no densities");
   traits.densities = true;
   EXPECT_EQ(reason(), "no particle in the picture is far from the rest");

@@ -158,9 +158,8 @@ TEST(LightMap, IsTheSameForAnyNumberOfThreads) {
   };
   const int usual = omp_get_max_threads();
   const std::vector<float> one = draw(1);
-  const std::vector<float> five = draw(5);
+  for (const int threads : {2, 4, 5}) EXPECT_EQ(one, draw(threads)) << threads;
   omp_set_num_threads(usual);
-  EXPECT_EQ(one, five);
 }
 
 }  // namespace

@@ -35,6 +35,35 @@ TEST(Assign, FollowsIndices) {
   EXPECT_EQ(scene.simulation().fluids(0).blocks(0).count_z(), 9U);
 }
 
+TEST(Assign, AddsAnElementOnePastTheEnd) {
+  const v1::Scene one = assigned({"bodies[0].box={}", "bodies[0].position.x=1"});
+  ASSERT_EQ(one.bodies_size(), 1);
+  EXPECT_EQ(one.bodies(0).position().x(), 1);
+  EXPECT_EQ(one.bodies(0).box().size().y(), 0.2) << "completed";
+  const v1::Scene two = assigned({"bodies[0]={name: \"ball\" sphere {radius: 0.3}}", "bodies[1].cylinder.radius=0.4"});
+  ASSERT_EQ(two.bodies_size(), 2);
+  EXPECT_EQ(two.bodies(0).sphere().radius(), 0.3);
+  EXPECT_EQ(two.bodies(1).cylinder().radius(), 0.4);
+  const v1::Scene looks = assigned({"more_looks[0].preset=honey"});
+  ASSERT_EQ(looks.more_looks_size(), 1);
+  EXPECT_EQ(looks.more_looks(0).liquid().refractive_index(),
+            assigned({"look.preset=honey"}).look().liquid().refractive_index());
+  EXPECT_EQ(
+      assigned({"simulation.fluids[0].blocks[1].first_particle=0.1,0.5,0.1"}).simulation().fluids(0).blocks_size(), 2);
+}
+
+TEST(Assign, RefusesIndicesFartherOutAndElementsThatAreNotAllowed) {
+  EXPECT_STREQ(assignError({"bodies[1].box={}"}).what(),
+               "bodies[1].box: there is no element 1: bodies is empty; index 0 would add one");
+  EXPECT_STREQ(assignError({"bodies[0]={}", "bodies[2]={}"}).what(),
+               "bodies[2]: there is no element 2: bodies has 1 element; the only index is 0; index 1 would add one");
+  EXPECT_EQ(assignError({"bodies[0].sphere.radius=-1"}).fieldPath(), "bodies[0].sphere.radius");
+  EXPECT_EQ(assignError({"simulation.fluids[1].viscosity=1"}).fieldPath(), "simulation.fluids[1].blocks");
+  std::vector<std::string> tooMany;
+  for (int i = 0; i < 8; ++i) tooMany.push_back("more_looks[" + std::to_string(i) + "]={}");
+  EXPECT_EQ(assignError(tooMany).fieldPath(), "more_looks");
+}
+
 TEST(Assign, ChangesOneComponentAndKeepsTheOthers) {
   const v1::Scene scene = assigned({"camera.eye.x=7"});
   EXPECT_EQ(scene.camera().eye().x(), 7);

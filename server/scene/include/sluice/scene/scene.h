@@ -46,7 +46,9 @@ bool isShipped(std::string_view name);
 v1::Scene loadShipped(std::string_view name);
 
 /// Applies assignments such as "look.smoothing.time=2", "camera.eye=1,2,3", "simulation.fluids[0].viscosity=0.1" or
-/// "look.smoothing.bilateral={}" (which chooses that member of its oneof), in order, then completes and validates.
+/// "look.smoothing.bilateral={}" (which chooses that member of its oneof), in order, then completes and validates. The
+/// index one past the end of a list adds an element: "bodies[0].sphere={}". Throws InputError and changes nothing where
+/// one of them, or what comes of all, is not allowed.
 void assign(v1::Scene& scene, std::span<const std::string> assignments);
 
 /// Fills in every default; leaves feature messages (annotated `feature`) absent.
