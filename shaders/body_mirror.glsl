@@ -1,6 +1,6 @@
 // Needs frame_uniforms.glsl, liquid_uniforms.glsl and scene_lights.glsl. Bodies that a ray meets, followed to within what
 // a picture of them shows: with CUBE_MAP that around the liquid's middle, whose distances tell where on the ray a body is [Szirmay-Kalos
-// et al. 2005, Approximate ray-tracing on the GPU with distance impostors]; with SCREEN_REFLECTION the eye's own, for
+// et al. 2005, Approximate ray-tracing on the GPU with distance impostors]; without the eye's own, for
 // which it needs picture_place.glsl and scene_depth.glsl.
 
 const float kNoBody = 1e9;  // m

@@ -9,9 +9,6 @@
 #include "coverage.glsl"
 #include "fresnel.glsl"
 #include "interface.glsl"
-#if defined(CUBE_MAP) || defined(SCREEN_REFLECTION)
-#define BODY_MIRROR 1
-#endif
 #include "reflections.glsl"
 #include "lighting.glsl"
 #ifndef OPAQUE

@@ -26,8 +26,8 @@ std::vector<std::string_view> CompositeVariant::defines() const {
   if (phong) names.emplace_back("PHONG");
   if (highlight) names.emplace_back("HIGHLIGHT");
   if (reflection == Reflection::None) names.emplace_back("NO_REFLECTION");
+  if (reflection == Reflection::CubeMap || reflection == Reflection::Screen) names.emplace_back("BODY_MIRROR");
   if (reflection == Reflection::CubeMap) names.emplace_back("CUBE_MAP");
-  if (reflection == Reflection::Screen) names.emplace_back("SCREEN_REFLECTION");
   if (lamps) names.emplace_back("LAMPS");
   if (bodies) names.emplace_back("BODIES");
   if (plain) names.emplace_back("PLAIN_BEHIND");

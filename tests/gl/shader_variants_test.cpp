@@ -36,7 +36,8 @@ const Defines kLiquidFront{"LIQUID", "LAYERED", "BODIES"};
 const std::vector<Family> kFamilies{
     {"background.vert", "background.frag"},
     {"background.vert", "background.frag", {{"FLOOR"}}, {"BODIES", "LAMPS"}},
-    {"bodies.vert", "bodies.frag", {{}, {"SHADOW"}, {"SCREEN_SPACE_NORMALS"}}},
+    {"bodies.vert", "bodies.frag", {{}, {"SHADOW"}}},
+    {"bodies.vert", "bodies.frag", {{}}, {"CUBE_MAP", "SCREEN_SPACE_NORMALS"}, {"BODY_MIRROR"}},
     {"picture.vert", "resolve_bodies.frag"},
     {"picture.vert", "resolve_bodies.frag", {{"EDGES"}}, kLiquidFront},
     {"picture.vert", "scene_depth.frag"},
@@ -44,6 +45,7 @@ const std::vector<Family> kFamilies{
     {"glass.vert", "glass.frag", {{}, {"BEFORE"}}, kLiquidFront},
     {"glass_rim.vert", "glass.frag", {{"RIM"}, {"RIM", "BEFORE"}}, kLiquidFront},
     {"sunlight.vert", "sunlight.frag"},
+    {"picture.vert", "sunlight.frag", {{"BODIES"}}},
     {"splats.vert", "splats.frag", kSplatShapes},
     {"large_splats.vert", "splats.frag", kLargeSplatShapes},
     {"splats.vert", "thickness.frag", kSplatShapes},
@@ -121,9 +123,14 @@ std::set<CompositeVariant> compositeVariants() {
     forEachMember(*scene.mutable_background(), "environment", [&] {
       for (const double sun : {0.0, 1.0}) {
         scene.mutable_lighting()->mutable_sun()->set_strength(sun);
+        scene.mutable_background()->set_floor(sun > 0);
         scene.clear_bodies();
+        scene.mutable_lighting()->clear_point_lights();
         addWithNoise();
         scene.add_bodies();
+        scene::complete(scene);
+        addWithNoise();
+        scene.mutable_lighting()->add_point_lights();
         scene::complete(scene);
         addWithNoise();
       }

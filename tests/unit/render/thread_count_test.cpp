@@ -153,7 +153,7 @@ TEST(ThreadCount, DoesNotChangeFoam) {
   const FoamCover cover{q, kView};
   expectSameBits("foam", [&] {
     std::vector<float> depth = picture();
-    drawFoam(makeFoamDots(foam, scene, kSpacing, kView), kView, {&cover, 1}, foamBed(scene, kSpacing), depth);
+    drawFoam(makeFoamDots(foam, scene, kSpacing, kView), kView, {{&cover, 1}, foamBed(scene, kSpacing)}, depth);
     return depth;
   });
 }
