@@ -8,7 +8,8 @@ namespace sluice::evaluate {
 /// What changes from frame to frame.
 struct Motion {
   bool camera = false;
-  bool particles = false;  ///< Their positions are the same, but count as new.
+  bool particles = false;  ///< Their positions are the same, but count as new, and they are shaken.
+  bool bodies = false;     ///< They stand a little farther on in every frame.
 };
 
 /// One thing that a frame may do without. Assignments as with --set, several with a blank between.
@@ -18,6 +19,7 @@ struct Gate {
   std::string_view leftOut;
   Motion motionInUse;
   Motion motionLeftOut;
+  std::string_view both = {};  ///< Assignments of both sides.
 };
 
 std::span<const Gate> gates();
