@@ -121,6 +121,21 @@ TEST_F(Evaluate, FeaturesCompareBothSides) {
   EXPECT_GT(rows[0]["bytes_saved"], 0) << "an opaque liquid needs no buffer of thickness";
 }
 
+TEST_F(Evaluate, FeaturesAreInUseOnTheSideThatIsMeasured) {
+  const std::vector<std::pair<std::string, std::string>> features{{"foam", "foam"},
+                                                                  {"velocity map", "velocity map"},
+                                                                  {"shadows of bodies", "body shadow"},
+                                                                  {"glass", "glass behind"}};
+  for (const auto& [feature, pass] : features) {
+    const Outcome outcome = evaluate({"features", "--only", feature});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const Json rows = lastLine(outcome)["rows"];
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_THAT(rows[0]["passes"].get<std::string>(), testing::HasSubstr(pass));
+    EXPECT_GE(rows[0]["bytes_saved"], 0) << feature;
+  }
+}
+
 TEST_F(Evaluate, ScalingFitsExponents) {
   const Outcome outcome = evaluate({"scaling", "--only", "pixels"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace sluice::evaluate {
 
 /// What changes from frame to frame.
 struct Motion {
   bool camera = false;
-  bool particles = false;  ///< Their positions are the same, but count as new.
+  bool particles = false;  ///< Their positions are the same, but count as new, and they are shaken.
+  bool bodies = false;     ///< They stand a little farther on in every frame.
 };
 
 /// One thing that a frame may do without. Assignments as with --set, several with a blank between.
@@ -18,8 +21,12 @@ struct Gate {
   std::string_view leftOut;
   Motion motionInUse;
   Motion motionLeftOut;
+  std::string_view both = {};  ///< Assignments of both sides.
 };
 
 std::span<const Gate> gates();
+
+/// Such assignments one by one.
+std::vector<std::string> assignmentsOf(std::string_view assignments);
 
 }  // namespace sluice::evaluate

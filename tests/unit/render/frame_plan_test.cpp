@@ -184,7 +184,7 @@ TEST_F(FramePlanTest, ShadowNeedsFloorAndStrength) {
 TEST_F(FramePlanTest, SaysWhyThereIsNoSunlight) {
   EXPECT_EQ(whyNot("sunlight"), "");
   background.set_floor(false);
-  EXPECT_EQ(whyNot("sunlight"), "there is no floor");
+  EXPECT_EQ(whyNot("sunlight"), "there is no floor, nor a body, that it could fall on");
   background.set_floor(true);
   sun.set_shadow(0);
   EXPECT_EQ(whyNot("sunlight"), "lighting.sun.shadow is 0");
