@@ -5,7 +5,6 @@
 #include <memory>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 #include "features/gates.h"
 #include "machine.h"
@@ -134,7 +133,7 @@ std::string passesOf(const Side& inUse, const Side& leftOut) {
 
 Row measure(gl::Context& context, const Options& options, const Gate& gate) {
   v1::Scene scene = shippedScene(options, "column_and_sheet");
-  assign(scene, gate.both);
+  scene::assign(scene, assignmentsOf(gate.both));
   Side inUse(context, scene, gate.inUse, gate.motionInUse);
   Side leftOut(context, scene, gate.leftOut, gate.motionLeftOut);
   const int frames = options.quick ? 7 : 21;

@@ -1,6 +1,7 @@
 #include "features/gates.h"
 
 #include <array>
+#include <sstream>
 
 namespace sluice::evaluate {
 
