@@ -165,6 +165,10 @@ bool isOfLiquid(Resource resource) {
   }
 }
 
+bool isKeptByItsPass(Resource resource) {
+  return resource == Resource::BodySamples || resource == Resource::BodyShadowMap || resource == Resource::CubeMap;
+}
+
 std::uint64_t bytesPerPixel(PixelFormat format) {
   switch (format) {
     case PixelFormat::Rgba32f:
@@ -173,6 +177,8 @@ std::uint64_t bytesPerPixel(PixelFormat format) {
       return 8;
     case PixelFormat::Rgba16fDepth32fTimes4:
       return 48;
+    case PixelFormat::Rgba16fRg32fTimes6:
+      return 96;
     case PixelFormat::Srgb8Alpha8:
     case PixelFormat::R32f:
       return 4;
@@ -249,9 +255,10 @@ struct Lifetime {
 Lifetime lifetimeOf(BufferId id, const std::vector<PassStep>& steps) {
   const Resource resource = id.resource;
   // Kept for the next frame, or given away after this one.
-  if (resource == Resource::Background || resource == Resource::SceneDepth || resource == Resource::BodySamples ||
-      resource == Resource::Stencil)
+  if (resource == Resource::Background || resource == Resource::SceneDepth || resource == Resource::Stencil ||
+      isKeptByItsPass(resource)) {
     return {0, steps.size()};
+  }
   Lifetime life{steps.size(), 0};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto has = [&](const std::vector<BufferId>& ids) { return std::ranges::find(ids, id) != ids.end(); };
@@ -271,9 +278,10 @@ Lifetime lifetimeOf(BufferId id, const std::vector<PassStep>& steps) {
 void shareMemory(FramePlan& plan) {
   std::vector<PictureBuffer>& buffers = plan.buffers;
   for (PictureBuffer& buffer : buffers) {
+    if (isKeptByItsPass(buffer.id.resource)) continue;
     const Lifetime life = lifetimeOf(buffer.id, plan.steps);
     const auto fits = [&](const PictureBuffer& other) {
-      if (&other == &buffer || other.sharedWith || other.size != buffer.size ||
+      if (&other == &buffer || other.sharedWith || isKeptByItsPass(other.id.resource) || other.size != buffer.size ||
           bytesPerPixel(other.format) != bytesPerPixel(buffer.format)) {
         return false;
       }

@@ -22,7 +22,8 @@ GLenum internalFormat(PixelFormat format) {
     case PixelFormat::Stencil8:
       return GL_STENCIL_INDEX8;
     case PixelFormat::Rgba16fDepth32fTimes4:
-      break;  // two textures, which their pass makes
+    case PixelFormat::Rgba16fRg32fTimes6:
+      break;  // several textures, which their pass makes
   }
   return GL_NONE;
 }
@@ -56,7 +57,7 @@ void FrameTargets::fit(const FramePlan& plan) {
   // Owners of memory before those who use it.
   for (const bool shared : {false, true}) {
     for (const PictureBuffer& buffer : plan.buffers) {
-      if (buffer.id.resource == Resource::BodySamples) continue;
+      if (isKeptByItsPass(buffer.id.resource)) continue;
       if (buffer.id.resource != Resource::Stencil && buffer.sharedWith.has_value() == shared) make(buffer, plan);
     }
   }

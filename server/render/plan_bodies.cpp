@@ -2,6 +2,7 @@
 
 #include "composite_variant.h"
 #include "planner.h"
+#include "scene_lights.h"
 
 namespace sluice::render {
 
@@ -17,10 +18,13 @@ void Planner::planBodyShadow() {
     leaveOut(Pass::BodyShadow, "nothing but glass and liquid stands in the scene");
   } else if (sun.strength() <= 0 || sun.shadow() <= 0) {
     leaveOut(Pass::BodyShadow, sun.strength() <= 0 ? "lighting.sun.strength is 0" : "lighting.sun.shadow is 0");
-  } else if (reuse_.bodies) {
-    leaveOut(Pass::BodyShadow, "bodies and sun are those of the last frame");
   } else {
-    run(Pass::BodyShadow, {}, {Resource::BodyShadowMap});
+    allocate(Resource::BodyShadowMap, PixelFormat::R32f, {kBodyShadowEdge, kBodyShadowEdge});
+    if (reuse_.bodies) {
+      leaveOut(Pass::BodyShadow, "bodies and sun are those of the last frame");
+    } else {
+      run(Pass::BodyShadow, {}, {Resource::BodyShadowMap});
+    }
   }
 }
 

@@ -124,7 +124,8 @@ TEST_F(Evaluate, FeaturesCompareBothSides) {
 TEST_F(Evaluate, FeaturesAreInUseOnTheSideThatIsMeasured) {
   const std::vector<std::pair<std::string, std::string>> features{{"foam", "foam"},
                                                                   {"velocity map", "velocity map"},
-                                                                  {"shadows of bodies", "body shadow"},
+                                                                  {"shadows on bodies", "body shadow"},
+                                                                  {"a cube map anew", "cube map"},
                                                                   {"glass", "glass behind"}};
   for (const auto& [feature, pass] : features) {
     const Outcome outcome = evaluate({"features", "--only", feature});

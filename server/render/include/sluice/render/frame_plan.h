@@ -96,6 +96,9 @@ bool isAsFineAsSurface(Resource resource);
 /// Whether every liquid has one of its own.
 bool isOfLiquid(Resource resource);
 
+/// Whether its pass makes and keeps it, so that the plan but counts its bytes.
+bool isKeptByItsPass(Resource resource);
+
 /// Most liquids that one picture may hold.
 inline constexpr std::size_t kMostLiquids = 8;
 
@@ -170,7 +173,7 @@ struct PassStep {
   bool operator==(const PassStep&) const = default;
 };
 
-enum class PixelFormat : std::uint8_t { Rgba32f, Rgba16f, Rgba16fDepth32fTimes4, Srgb8Alpha8, R32f, Stencil8 };
+enum class PixelFormat : std::uint8_t { Rgba32f, Rgba16f, Rgba16fDepth32fTimes4, Rgba16fRg32fTimes6, Srgb8Alpha8, R32f, Stencil8 };
 
 std::uint64_t bytesPerPixel(PixelFormat format);
 
