@@ -60,6 +60,8 @@ std::string_view name(Pass pass) {
       return "colour map";
     case Pass::Study:
       return "study";
+    case Pass::StudyFoam:
+      return "study foam";
     case Pass::Spray:
       return "spray";
     case Pass::Foam:
@@ -68,6 +70,8 @@ std::string_view name(Pass pass) {
       return "blend foam";
     case Pass::ToneMap:
       return "tone map";
+    case Pass::Legend:
+      return "legend";
   }
   return "";
 }
@@ -118,6 +122,8 @@ std::string_view name(Resource resource) {
       return "violence";
     case Resource::Attribute:
       return "attribute";
+    case Resource::AttributeSums:
+      return "attribute sums";
     case Resource::Liquid:
       return "liquid";
     case Resource::Foam:
@@ -154,6 +160,7 @@ bool isOfLiquid(Resource resource) {
     case Resource::Thickness:
     case Resource::ThicknessScratch:
     case Resource::Attribute:
+    case Resource::AttributeSums:
       return true;
     default:
       return isAsFineAsSurface(resource);
@@ -165,6 +172,7 @@ std::uint64_t bytesPerPixel(PixelFormat format) {
     case PixelFormat::Rgba32f:
       return 16;
     case PixelFormat::Rgba16f:
+    case PixelFormat::Rg32f:
       return 8;
     case PixelFormat::Rgba16fDepth32fTimes4:
       return 48;
