@@ -96,11 +96,12 @@ Rgb8 normalColour(float x, float y, float z) {
 }
 
 ColourBar withReadableUnit(ColourBar bar) {
-  // From there numbers have more than five digits, or two zeros after the point before the first that tells anything.
-  constexpr float kTooLarge = 1e5F;
+  // From there numbers have more than four digits, or, where no word makes them shorter, five; or two zeros after the
+  // point before the first that tells anything.
+  const float tooLarge = takesPrefix(bar.unit) ? 1e4F : 1e5F;
   constexpr float kTooSmall = 0.02F;
   const float largest = std::max(std::abs(bar.range.least), std::abs(bar.range.most));
-  if (largest == 0.0F || (largest >= kTooSmall && largest < kTooLarge)) return bar;
+  if (largest == 0.0F || (largest >= kTooSmall && largest < tooLarge)) return bar;
   const int thousands = static_cast<int>(std::floor(std::log10(largest) / 3.0F + 1e-6F));
   if (thousands == 0) return bar;
   const auto factor = static_cast<float>(std::pow(10.0, -3.0 * thousands));

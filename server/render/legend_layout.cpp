@@ -8,7 +8,7 @@ namespace sluice::render {
 namespace {
 
 // In ems.
-constexpr float kMargin = 0.6F;
+constexpr float kMargin = 0.9F;
 constexpr float kPadding = 0.7F;
 constexpr float kGap = 0.4F;
 constexpr int kWidth = 17;

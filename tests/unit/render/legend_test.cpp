@@ -67,7 +67,9 @@ TEST(ReadableUnit, MakesNumbersShort) {
   EXPECT_EQ(unit("m", 0.004F).second, "mm");
   EXPECT_NEAR(unit("m", 0.004F).first, 4, 1e-4F);
   EXPECT_EQ(unit("Pa", 9000).second, "Pa");
+  EXPECT_EQ(unit("Pa", 20000).second, "kPa");
   EXPECT_EQ(unit("Pa", 250000).second, "kPa");
+  EXPECT_EQ(unit("", 20000).second, "");
   EXPECT_NEAR(unit("Pa", 250000).first, 250, 1e-2F);
   EXPECT_EQ(unit("m/s", 0.005F).second, "mm/s");
   EXPECT_EQ(unit("%", 0.005F).second, "10⁻³ %");
