@@ -4,12 +4,12 @@
 #include "liquid_uniforms.glsl"
 #include "surface.glsl"
 #include "normal.glsl"
+#include "palette.glsl"
 #ifdef LAYERED
 #include "layers.glsl"
 #endif
 
 layout(binding = 1) uniform sampler2D values;
-layout(binding = 2) uniform sampler2D palette;
 
 layout(location = 0) uniform vec3 range;        // least value, 1/(most − least), strength
 layout(location = 1) uniform vec2 valueSlopes;  // largest |W_x|, |W_y| of the values
@@ -32,9 +32,7 @@ void main() {
 #else
   float cover = range.z;
 #endif
-  // Colours stand in the middles of the texels.
-  float size = float(textureSize(palette, 0).x);
-  vec3 shown = texture(palette, vec2((share * (size - 1.0) + 0.5) / size, 0.5)).rgb;
+  vec3 shown = paletteColour(share);
 
   vec3 normal = surfaceNormal(at, W, q, 3.0 * liquid.splat.x);
   float facing = clamp(-dot(normal, normalize(vec3(W, 1.0))), 0.0, 1.0);

@@ -5,26 +5,18 @@
 #include "surface.glsl"
 #include "normal.glsl"
 #include "flow_rate.glsl"
+#include "palette.glsl"
 #ifdef LAYERED
 #include "layers.glsl"
 #endif
 
 layout(binding = 1) uniform sampler2D values;
-layout(binding = 2) uniform sampler2D palette;
 
 layout(location = 0) uniform vec3 range;        // least value, 1/(most − least), unused
 layout(location = 1) uniform vec2 valueSlopes;  // largest |W_x|, |W_y| of the values
 
 in vec2 uv;
 out vec4 colour;
-
-#if defined(DEPTH) || defined(THICKNESS)
-vec3 paletteColour(float value) {
-  float size = float(textureSize(palette, 0).x);
-  float share = clamp((value - range.x) * range.y, 0.0, 1.0);
-  return texture(palette, vec2((share * (size - 1.0) + 0.5) / size, 0.5)).rgb;
-}
-#endif
 
 // Linear light of sRGB-encoded components.
 vec3 linearOf(vec3 encoded) {
@@ -41,9 +33,11 @@ void main() {
 #endif
   float edge = 3.0 * liquid.splat.x;
 #if defined(DEPTH)
-  vec3 shown = paletteColour(1.0 / q);
-#elif defined(THICKNESS)
-  vec3 shown = paletteColour(texture(values, 0.5 + 0.5 * W / valueSlopes).r);
+  vec3 shown = paletteColour((1.0 / q - range.x) * range.y);
+#elif defined(VALUES)
+  vec3 shown = paletteColour((texture(values, 0.5 + 0.5 * W / valueSlopes).r - range.x) * range.y);
+#elif defined(LEAST)
+  vec3 shown = paletteColour(0.0);
 #elif defined(NORMALS)
   // x to the right, y up, z towards the eye.
   vec3 shown = linearOf(0.5 + 0.5 * surfaceNormal(at, W, q, edge) * vec3(1.0, -1.0, -1.0));
@@ -57,7 +51,12 @@ void main() {
   // Lit from above the eye's shoulder.
   vec3 normal = surfaceNormal(at, W, q, edge);
   float lit = max(dot(normal, normalize(vec3(-0.4, -0.6, -0.7))), 0.0);
-  vec3 shown = liquid.colourAndDiffuse.rgb * (0.25 + 0.75 * lit);
+#ifdef GREY
+  vec3 diffuse = vec3(0.5);
+#else
+  vec3 diffuse = liquid.colourAndDiffuse.rgb;
+#endif
+  vec3 shown = diffuse * (0.25 + 0.75 * lit);
 #endif
   colour = vec4(shown, 1.0);
 }

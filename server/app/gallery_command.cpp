@@ -129,13 +129,16 @@ void addLooks(Gallery& gallery) {
 }
 
 void addViews(Gallery& gallery) {
-  gallery.writeLine("## Study views\n\n`--set view.NAME={}`.\n");
+  gallery.writeLine("## Study views\n\n`--set view.NAME={}`; that of the noise with `--set look.noise={}`.\n");
   const google::protobuf::OneofDescriptor& views = *v1::View::descriptor()->FindOneofByName("shows");
   for (int i = 0; i < views.field_count(); ++i) {
     const google::protobuf::FieldDescriptor& view = *views.field(i);
     const std::string name = "view_" + view.name();
     if (view.name() == "picture" || !gallery.wants(name)) continue;
-    const LiveScene live = loadScene(kSampleScene, {"view." + view.name() + "={}"});
+    std::vector<std::string> settings{"view." + view.name() + "={}"};
+    // The sample scene has foam of its own, but its water is smooth.
+    if (view.name() == "noise") settings.emplace_back("look.noise={}");
+    const LiveScene live = loadScene(kSampleScene, settings);
     gallery.addPicture(name, withSpaces(view.name()) + ": " + view.options().GetExtension(v1::info).doc(), live.scene,
                        kSampleSeconds);
   }

@@ -21,7 +21,9 @@ float rowSlope(const ViewGeometry& target, int y) {
 }
 
 /// A particle's reach, at least so much that it meets the middles of the pixels around it: far liquid has values too.
-float reachAt(float depth, float reach, float pixelSlope) { return std::max(reach, 1.5F * pixelSlope * depth); }
+float reachAt(float depth, float reach, float pixelSlope) {
+  return std::max(reach, kValueLeastPixels * pixelSlope * depth);
+}
 
 /// What one particle adds along a row of `count` pixels, and up to a block beyond, where its weight is 0.
 SLUICE_SIMD_CLONES void addRow(const ViewValue& particle, float acrossPerSquare, float alongPerSquare, float slopeY,
@@ -78,23 +80,7 @@ void AttributeRaster::bin(std::span<const ViewValue> particles, float reach, con
                                             low(centre.y() - half - 0.5F, height),
                                             low(centre.y() + half + 0.5F, height)};
   }
-
-  const auto strips = static_cast<std::size_t>((target.size.height + kStripRows - 1) / kStripRows);
-  stripStart_.assign(strips + 1, 0);
-  const auto forEachMet = [&](auto&& action) {
-    for (std::size_t i = 0; i < bounds_.size(); ++i) {
-      const Bounds& box = bounds_[i];
-      if (box.left >= box.right || box.top >= box.bottom) continue;
-      for (int s = box.top / kStripRows; s <= (box.bottom - 1) / kStripRows; ++s) {
-        action(static_cast<std::size_t>(s), static_cast<std::uint32_t>(i));
-      }
-    }
-  };
-  forEachMet([&](std::size_t strip, std::uint32_t) { ++stripStart_[strip + 1]; });
-  for (std::size_t s = 0; s < strips; ++s) stripStart_[s + 1] += stripStart_[s];
-  order_.resize(stripStart_[strips]);
-  std::vector<std::uint32_t> next(stripStart_.begin(), stripStart_.end() - 1);
-  forEachMet([&](std::size_t strip, std::uint32_t i) { order_[next[strip]++] = i; });
+  bins_.fill(bounds_, target.size.height, kStripRows);
 }
 
 void AttributeRaster::readDepths(std::span<const float> q, const ViewGeometry& surfaceView,
@@ -132,22 +118,20 @@ void AttributeRaster::draw(std::span<const ViewValue> particles, float radius, s
   const float alongPerSquare = 1.0F / (kValueDepthReach * radius * kValueDepthReach * radius);
   const int width = target.size.width;
   const std::size_t stride = static_cast<std::size_t>(width) + kBlock;
-  const auto strips = static_cast<int>(stripStart_.size()) - 1;
 #pragma omp parallel
   {
     std::vector<float> sums(stride * kStripRows);
     std::vector<float> weights(stride * kStripRows);
 #pragma omp for schedule(dynamic)
-    for (int s = 0; s < strips; ++s) {
+    for (int s = 0; s < bins_.strips(); ++s) {
       const int top = s * kStripRows;
       const int bottom = std::min(top + kStripRows, target.size.height);
       std::ranges::fill(sums, 0.0F);
       std::ranges::fill(weights, 0.0F);
       const auto place = [&](int y) { return stride * static_cast<std::size_t>(y - top); };
-      for (std::uint32_t k = stripStart_[static_cast<std::size_t>(s)]; k < stripStart_[static_cast<std::size_t>(s) + 1];
-           ++k) {
-        const Bounds& box = bounds_[order_[k]];
-        const ViewValue& particle = particles[order_[k]];
+      for (const std::uint32_t index : bins_.met(s)) {
+        const PixelBounds& box = bounds_[index];
+        const ViewValue& particle = particles[index];
         const float across = reachAt(particle.z, reach, target.pixelSlope);
         for (int y = std::max<int>(box.top, top); y < std::min<int>(box.bottom, bottom); ++y) {
           const std::size_t first = place(y) + static_cast<std::size_t>(box.left);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "strip_bins.h"
 #include "view_geometry.h"
 
 namespace sluice::render {
@@ -22,6 +22,9 @@ inline constexpr float kValueDepthReach = 3.0F;
 /// Share of a value where no particle is within that reach of the surface: of all that are before and behind.
 inline constexpr float kValueEverywhere = 1e-6F;
 
+/// Least reach across the line of sight, in pixels: below, a particle falls between pixels.
+inline constexpr float kValueLeastPixels = 1.5F;
+
 /// Brings values of particles to the surface, on the CPU: what attributes.frag does on the device. At every pixel
 /// Σ w·a / Σ w over the particles with
 ///   w = (1 − ρ²/h²)²·(ε + (1 − δ²/k²)²),
@@ -38,18 +41,13 @@ class AttributeRaster {
             const ViewGeometry& surfaceView, const ViewGeometry& target, std::span<float> result);
 
  private:
-  struct Bounds {
-    std::int16_t left, right, top, bottom;  ///< Pixels [left, right) × [top, bottom).
-  };
-
   void bin(std::span<const ViewValue> particles, float reach, const ViewGeometry& target);
   void readDepths(std::span<const float> q, const ViewGeometry& surfaceView, const ViewGeometry& target);
 
   std::vector<float> columnSlopes_;  ///< W_x of every column, padded by a block.
   std::vector<float> depths_;        ///< Eye depth of the surface at every pixel, m; rows padded by a block.
-  std::vector<Bounds> bounds_;
-  std::vector<std::uint32_t> stripStart_;  ///< Strip s holds order_[stripStart_[s]] to order_[stripStart_[s + 1]].
-  std::vector<std::uint32_t> order_;
+  std::vector<PixelBounds> bounds_;
+  StripBins bins_;
 };
 
 }  // namespace sluice::render

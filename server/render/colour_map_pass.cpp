@@ -14,9 +14,28 @@ void ColourMapPass::spread(const FrameContext& frame, const std::vector<float>& 
   };
   for (const std::uint32_t i : frame.selection.visible.particles) add(i);
   for (const std::uint32_t i : frame.selection.large) add(i);
+  if (!frame.plan.device.software) {
+    spreadOnDevice(frame, near);
+    return;
+  }
   const std::span<const float> surface = frame.targets.read(Resource::Surface);
   raster_.draw(near, frame.scale.radius, surface, frame.surfaceView, attributeView(frame),
                frame.targets.startAnew(Resource::Attribute));
+}
+
+void ColourMapPass::spreadOnDevice(const FrameContext& frame, std::span<const ViewValue> particles) {
+  if (!onDevice_) onDevice_.emplace();
+  frame.targets.clear(Resource::AttributeSums);
+  beginTarget(frame, Resource::AttributeSums);
+  bindTexture(frame, 0, Resource::Surface);
+  onDevice_->sum(particles, frame.scale.radius, frame.surfaceView, attributeView(frame));
+
+  const gl::VertexArray nothing = gl::makeVertexArray();
+  glBindVertexArray(nothing.name());
+  beginTarget(frame, Resource::Attribute);
+  bindTexture(frame, 0, Resource::AttributeSums);
+  glUseProgram(onDevice_->finish().name());
+  drawPicture();
 }
 
 void ColourMapPass::draw(const FrameContext& frame, bool whitening, const ColourTable& colours, const ValueRange& range,

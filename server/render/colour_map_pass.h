@@ -1,8 +1,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <span>
 #include <utility>
 
+#include "attribute_programs.h"
 #include "attribute_raster.h"
 #include "value_colours.h"
 
@@ -20,10 +23,12 @@ class ColourMapPass {
 
  private:
   void spread(const FrameContext& frame, const std::vector<float>& values);
+  void spreadOnDevice(const FrameContext& frame, std::span<const ViewValue> particles);
   void draw(const FrameContext& frame, bool whitening, const ColourTable& colours, const ValueRange& range,
             double strength);
 
   AttributeRaster raster_;
+  std::optional<AttributePrograms> onDevice_;
   ColourTable palette_;
   ColourTable white_;
   std::map<std::uint8_t, std::pair<v1::ColourMap::AttributeCase, ValueRange>> ranges_;

@@ -95,6 +95,7 @@ class FluidRenderer::Impl {
     bodiesOf_ = passes_.bodies().changes();
     hasBackground_ = plan.buffer(Resource::Background) != nullptr;
     hasPicture_ = true;
+    hasLegend_ = plan.runs(Pass::Legend);
     pictureSize_ = size;
     return finish(particles, size);
   }
@@ -183,7 +184,8 @@ class FluidRenderer::Impl {
 
   /// The last frame's picture is still there.
   core::Frame keepPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, const ViewGeometry& view) {
-    const FramePlan plan = planFrame(scene, view.size, {}, {.background = true, .picture = true}, device_);
+    const FramePlan plan =
+        planFrame(scene, view.size, {}, {.background = true, .picture = true, .legend = hasLegend_}, device_);
     plan_ = plan.describe();
     for (const PassStep& step : plan.steps) {
       run(step.pass, contextOf(step, plan, scene, view));
@@ -380,6 +382,7 @@ class FluidRenderer::Impl {
   std::uint64_t bodiesOf_ = 0;  ///< Changes of the bodies until the last picture.
   bool hasBackground_ = false;
   bool hasPicture_ = false;
+  bool hasLegend_ = false;       ///< Of the last picture.
   core::ImageSize pictureSize_;  ///< Of the last picture.
   v1::Scene studied_;            ///< The scene as its study view shows it.
   EnvironmentState environment_;

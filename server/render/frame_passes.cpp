@@ -53,7 +53,7 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       bodyShadow_.bind();
       return cubeMap_.run(frame, bodies_);
     case Pass::BeginPicture:
-      if (isStudy(frame.scene.view())) return beginStudy(frame);
+      if (isStudy(frame.scene.view())) return study_.begin(frame);
       return copy(frame, sceneOf(frame), Resource::Picture);
     case Pass::ExtendScene:
       return copy(frame, Resource::Picture, Resource::Scene);
@@ -67,6 +67,8 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
       return colourMap_.runColourMap(frame);
     case Pass::Study:
       return study_.run(frame);
+    case Pass::StudyFoam:
+      return study_.runFoam(frame);
     case Pass::Spray:
       return spray_.run(frame);
     case Pass::Foam:
@@ -76,6 +78,8 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
     case Pass::ToneMap:
       pixels_ = toneMap_.run(frame);
       return;
+    case Pass::Legend:
+      return legend_.run(frame, colourMap_, study_, pixels_);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "body_passes.h"
 #include "colour_map_pass.h"
+#include "legend_pass.h"
 #include "passes.h"
 #include "study_pass.h"
 
@@ -16,7 +17,7 @@ class FramePasses {
   /// Runs one step of a plan. `Pass::SelectSplats` is not among them: the plan depends on its outcome.
   void run(Pass pass, const FrameContext& frame);
 
-  /// What the last tone map gave: 8-bit sRGB, RGBA, row by row from the top.
+  /// What the last frame shows: 8-bit sRGB, RGBA, row by row from the top.
   std::vector<std::uint8_t> takePixels() { return std::move(pixels_); }
 
   /// The light that falls on the scene of the frames to come.
@@ -54,6 +55,7 @@ class FramePasses {
   FoamPass foam_;
   BlendFoamPass blendFoam_;
   ToneMapPass toneMap_;
+  LegendPass legend_;
 
   const KeptLightMap* light_ = nullptr;
   std::vector<std::uint8_t> pixels_;

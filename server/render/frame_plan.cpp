@@ -62,6 +62,8 @@ std::string_view name(Pass pass) {
       return "colour map";
     case Pass::Study:
       return "study";
+    case Pass::StudyFoam:
+      return "study foam";
     case Pass::Spray:
       return "spray";
     case Pass::Foam:
@@ -70,6 +72,8 @@ std::string_view name(Pass pass) {
       return "blend foam";
     case Pass::ToneMap:
       return "tone map";
+    case Pass::Legend:
+      return "legend";
   }
   return "";
 }
@@ -122,6 +126,8 @@ std::string_view name(Resource resource) {
       return "attribute";
     case Resource::CubeMap:
       return "cube map";
+    case Resource::AttributeSums:
+      return "attribute sums";
     case Resource::Liquid:
       return "liquid";
     case Resource::Foam:
@@ -159,6 +165,7 @@ bool isOfLiquid(Resource resource) {
     case Resource::ThicknessScratch:
     case Resource::Attribute:
     case Resource::CubeMap:
+    case Resource::AttributeSums:
       return true;
     default:
       return isAsFineAsSurface(resource);
@@ -174,6 +181,7 @@ std::uint64_t bytesPerPixel(PixelFormat format) {
     case PixelFormat::Rgba32f:
       return 16;
     case PixelFormat::Rgba16f:
+    case PixelFormat::Rg32f:
       return 8;
     case PixelFormat::Rgba16fDepth32fTimes4:
       return 48;

@@ -19,6 +19,8 @@ GLenum internalFormat(PixelFormat format) {
       return GL_SRGB8_ALPHA8;
     case PixelFormat::R32f:
       return GL_R32F;
+    case PixelFormat::Rg32f:
+      return GL_RG32F;
     case PixelFormat::Stencil8:
       return GL_STENCIL_INDEX8;
     case PixelFormat::Rgba16fDepth32fTimes4:

@@ -10,7 +10,7 @@ namespace sluice::render {
 namespace {
 
 /// Colours at equal steps, 0xRRGGBB, sRGB-encoded. Straight lines between them leave the published tables of 256 by at
-/// most four levels of eight bits.
+/// most five levels of eight bits.
 using Table = std::array<std::uint32_t, 33>;
 
 // van der Walt & Smith 2015, matplotlib.

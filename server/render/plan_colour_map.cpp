@@ -33,9 +33,14 @@ void Planner::planMap(Pass pass, const std::string& missing, int layer) {
     if (layer == 0) leaveOut(pass, missing);
     return;
   }
-  allocate(Resource::Attribute, PixelFormat::R32f, dividedSize(surfaceSize(), 2));
-  run(pass, std::string(name(pass)), {Resource::Particles, Resource::SplatList, Resource::Surface},
-      {Resource::Attribute, Resource::Picture}, 1, layer);
+  const core::ImageSize size = dividedSize(surfaceSize(), 2);
+  std::vector<Resource> writes{Resource::Attribute, Resource::Picture};
+  allocate(Resource::Attribute, PixelFormat::R32f, size);
+  if (!plan_.device.software) {
+    allocate(Resource::AttributeSums, PixelFormat::Rg32f, size);
+    writes.push_back(Resource::AttributeSums);
+  }
+  run(pass, std::string(name(pass)), {Resource::Particles, Resource::SplatList, Resource::Surface}, writes, 1, layer);
 }
 
 }  // namespace sluice::render

@@ -85,12 +85,9 @@ void Planner::planSpray() {
 
 void Planner::planToneMap() {
   const bool hasPicture = plan_.buffer(Resource::Picture) != nullptr;
-  std::vector<Resource> writes;
-  if (!plan_.device.software) {
-    allocate(Resource::Screen, PixelFormat::Srgb8Alpha8, size_);
-    writes.push_back(Resource::Screen);
-  }
-  run(Pass::ToneMap, {hasPicture ? Resource::Picture : Resource::Background}, writes);
+  if (!plan_.device.software) allocate(Resource::Screen, PixelFormat::Srgb8Alpha8, size_);
+  run(Pass::ToneMap, {hasPicture ? Resource::Picture : Resource::Background}, {Resource::Screen});
+  planLegend();
 }
 
 }  // namespace sluice::render

@@ -3,21 +3,21 @@
 namespace sluice::render {
 
 void Planner::planFoam() {
+  if (planFoamDepth()) run(Pass::BlendFoam, {Resource::Foam}, {Resource::Picture});
+}
+
+bool Planner::planFoamDepth() {
   if (!scene_.has_foam()) {
     leaveOut(Pass::Foam, "the scene has no foam");
-    return;
-  }
-  if (scene_.view().has_normals()) {
-    leaveOut(Pass::Foam, "foam is no part of the surface that is shown");
-    return;
+    return false;
   }
   if (foamDots() == 0) {
     leaveOut(Pass::Foam, "no secondary particle is in the picture");
-    return;
+    return false;
   }
   if (scene_.foam().opacity() <= 0) {
     leaveOut(Pass::Foam, "foam.opacity is 0");
-    return;
+    return false;
   }
   beginPicture();
   allocate(Resource::Foam, PixelFormat::R32f, size_);
@@ -27,7 +27,7 @@ void Planner::planFoam() {
   }
   if (plan_.buffer(Resource::SceneDepth) != nullptr) foam.reads.push_back({Resource::SceneDepth});
   plan_.steps.push_back(std::move(foam));
-  run(Pass::BlendFoam, {Resource::Foam}, {Resource::Picture});
+  return true;
 }
 
 }  // namespace sluice::render

@@ -24,7 +24,9 @@ void Planner::planNoise() {
   }
   std::vector<Resource> writes{Resource::Noise};
   allocate(Resource::Noise, PixelFormat::R32f, surfaceSize());
-  if (noise.whitening() <= 0) {
+  if (isStudy(scene_.view())) {
+    leaveOut("whitening", "the view shows the height alone");
+  } else if (noise.whitening() <= 0) {
     leaveOut("whitening", "look.noise.whitening is 0");
   } else if (!knowsViolence) {
     leaveOut("whitening", "the source does not tell which particles are violent");

@@ -14,7 +14,7 @@ void Planner::planSurface() {
   planSmoothing();
   planThickness();
   if (!isStudy(scene_.view())) planBackSurface();
-  if (!isStudy(scene_.view())) planNoise();
+  if (!isStudy(scene_.view()) || scene_.view().has_noise()) planNoise();
 }
 
 void Planner::planSplats() {

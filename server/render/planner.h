@@ -48,6 +48,9 @@ class Planner {
   void planMap(Pass pass, const std::string& missing, int layer);
   // plan_study.cpp
   void planStudies();
+  // plan_legend.cpp
+  void planLegend();
+  std::size_t coloursToExplain() const;  ///< Entries of a legend.
   // plan_composite.cpp
   void beginPicture();
   void planComposites();
@@ -59,6 +62,7 @@ class Planner {
   void planCubeMap();
   // plan_foam.cpp
   void planFoam();
+  bool planFoamDepth();  ///< Whether there is any to show.
 
   /// For what is not about one liquid.
   void forTheScene() { liquid_ = 0; }

@@ -1,8 +1,12 @@
 // Study views, and values of the particles as colours: each is drawn, and what it does not need is left out.
 #include <algorithm>
+#include <iterator>
+#include <random>
 #include <set>
 #include <string>
 
+#include "palette.h"
+#include "particle_values.h"
 #include "render_test.h"
 
 namespace sluice::testing {
@@ -42,6 +46,17 @@ class Study : public RenderTest {
   }
 
   core::ParticleSnapshot particles = columnAndSheet(4000);
+  /// The colour at the middle of a pixel, red, green, blue.
+  std::array<int, 3> pixelOf(const core::Frame& frame, std::size_t i) const {
+    return {frame.pixels[4 * i], frame.pixels[4 * i + 1], frame.pixels[4 * i + 2]};
+  }
+  std::string reason(std::string_view what) const {
+    for (const core::LeftOut& entry : renderer.plan().leftOut) {
+      if (entry.name == what) return entry.reason;
+    }
+    return "";
+  }
+
   const core::ImageSize size{160, 120};
 };
 
@@ -89,11 +104,90 @@ TEST_P(StudyView, ShowsSeveralLiquids) {
   EXPECT_EQ(two.size, one.size);
 }
 
+/// Largest difference of two colours' components, of 255.
+float difference(const std::array<int, 3>& shown, const Eigen::Vector3f& colour) {
+  const Eigen::Vector3f pixel(static_cast<float>(shown[0]), static_cast<float>(shown[1]), static_cast<float>(shown[2]));
+  return (pixel - 255.0F * colour).cwiseAbs().maxCoeff();
+}
+
+TEST_F(Study, NoiseIsBlueBelowTheSurfaceAndRedAboveIt) {
+  choose(*scene.mutable_view(), "noise");
+  scene.mutable_view()->set_legend(false);
+  look.mutable_noise();
+  scene::complete(look);
+  look.mutable_noise()->set_still_share(1);
+  const core::Frame frame = draw();
+  const render::FloatPicture noise = renderer.readBuffer(render::Resource::Noise);
+  const render::FloatPicture surface = renderer.readBuffer(render::Resource::Surface);
+  ASSERT_EQ(noise.size, size);
+  std::vector<float> heights;
+  std::ranges::copy_if(noise.values, std::back_inserter(heights), [](float height) { return height != 0.0F; });
+  const render::ValueRange range = render::robustRange(heights, true);
+  EXPECT_EQ(range.least, -range.most);
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < noise.values.size(); ++i) {
+    if (surface.values[i] <= 0) continue;
+    const float share = (noise.values[i] - range.least) / range.width();
+    EXPECT_LE(difference(pixelOf(frame, i), render::paletteColour(v1::ColourMap::kCoolWarm, share)), 2.0F) << i;
+    ++compared;
+  }
+  EXPECT_GT(compared, 1000U);
+}
+
+TEST_F(Study, WithoutNoiseItsViewIsGrey) {
+  choose(*scene.mutable_view(), "noise");
+  const core::Frame frame = draw();
+  const render::FloatPicture surface = renderer.readBuffer(render::Resource::Surface);
+  for (std::size_t i = 0; i < surface.values.size(); ++i) {
+    if (surface.values[i] <= 0) continue;
+    const auto [red, green, blue] = pixelOf(frame, i);
+    ASSERT_EQ(red, green) << i;
+    ASSERT_EQ(red, blue) << i;
+  }
+  EXPECT_FALSE(ran("noise"));
+  EXPECT_FALSE(ran("legend"));
+  EXPECT_EQ(reason("noise"), "look.noise is not set");
+}
+
+TEST_F(Study, FoamIsAsLightAsItHides) {
+  scene.mutable_foam();
+  scene::complete(scene);
+  std::mt19937 random(5);
+  const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24F; };
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    particles.diffuse.ids.push_back(i);
+    particles.diffuse.positions.emplace_back(2 * uniform(), 0.5F * uniform(), uniform());
+    particles.diffuse.velocities.emplace_back(Eigen::Vector3f::Zero());
+    particles.diffuse.kinds.push_back(static_cast<core::DiffuseKind>(i % 3));
+    particles.diffuse.remaining.push_back(1);
+  }
+  choose(*scene.mutable_view(), "foam");
+  scene.mutable_view()->set_legend(false);
+  const core::Frame frame = draw();
+  const render::FloatPicture foam = renderer.readBuffer(render::Resource::Foam);
+  const render::FloatPicture surface = renderer.readBuffer(render::Resource::Surface);
+  std::size_t dense = 0;
+  for (std::size_t i = 0; i < foam.values.size(); ++i) {
+    const float share = 1.0F - std::exp(-foam.values[i]);
+    // Beside the liquid, drops end softly.
+    if (share < 0.05F && (surface.values[i] <= 0 || share > 0.0F)) continue;
+    ASSERT_LE(difference(pixelOf(frame, i), render::paletteColour(v1::ColourMap::kMagma, share)), 2.0F) << i;
+    if (share > 0.5F) ++dense;
+  }
+  EXPECT_GT(dense, 50U);
+  EXPECT_FALSE(ran("blend foam"));
+  // Another view of the same scene does not spend time on it.
+  choose(*scene.mutable_view(), "thickness");
+  draw();
+  EXPECT_FALSE(ran("foam"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, StudyView, ValuesIn(membersOf(*v1::View::descriptor(), "shows")),
                          [](const auto& view) { return view.param; });
 
 TEST_F(Study, CurvatureOfADropIsGreen) {
   choose(*scene.mutable_view(), "curvature");
+  scene.mutable_view()->set_legend(false);
   look.mutable_smoothing()->set_time(0);
   particles = cloud({{0, 0, -2}}, 0.5);
   particles.sequence = 1;

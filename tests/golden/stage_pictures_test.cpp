@@ -138,6 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Every, GoldenOfSmoothing, ::testing::ValuesIn(smoothing
 
 TEST_F(Golden, Normals) {
   scene.mutable_view()->mutable_normals();
+  scene.mutable_view()->set_legend(false);
   EXPECT_EQ(compareWithGolden("normals", draw()), "");
 }
 

@@ -43,12 +43,14 @@ enum class Pass : std::uint8_t {
   VelocityMap,
   ColourMap,
   Study,
+  StudyFoam,
   BodyEdges,
   Spray,
   Foam,
   BlendFoam,
   GlassBefore,
   ToneMap,
+  Legend,
 };
 
 /// What passes read and write.
@@ -71,15 +73,16 @@ enum class Resource : std::uint8_t {
   Stencil,      ///< 1 where there is liquid.
   Thickness,    ///< Liquid along the line of sight, m.
   ThicknessScratch,
-  Noise,      ///< Height of waves over the smoothed surface, m.
-  NoiseSums,  ///< What the noise is made of, see noise.frag.
-  Violence,   ///< How shaken the liquid is, 0 to 1.
-  Attribute,  ///< A value of the particles at the surface.
-  CubeMap,    ///< Light and distance of the bodies around the liquid's middle.
-  Liquid,     ///< The shaded liquid alone, where it is drawn smaller than the picture.
-  Foam,       ///< Optical depth of spray, foam and bubbles: they hide 1 - exp(-it) of what is behind.
-  Picture,    ///< Scene and liquid in linear light.
-  Screen,     ///< The picture as a screen shows it.
+  Noise,          ///< Height of waves over the smoothed surface, m.
+  NoiseSums,      ///< What the noise is made of, see noise.frag.
+  Violence,       ///< How shaken the liquid is, 0 to 1.
+  Attribute,      ///< A value of the particles at the surface.
+  AttributeSums,  ///< What it is made of, see attributes.frag.
+  CubeMap,        ///< Light and distance of the bodies around the liquid's middle.
+  Liquid,         ///< The shaded liquid alone, where it is drawn smaller than the picture.
+  Foam,           ///< Optical depth of spray, foam and bubbles: they hide 1 - exp(-it) of what is behind.
+  Picture,        ///< Scene and liquid in linear light.
+  Screen,         ///< The picture as a screen shows it; where the CPU draws, in the frame that is given away.
 };
 
 /// What smoothing may draw into besides the surface itself, alike in size and format, in the order in which a method
@@ -140,6 +143,7 @@ struct ReuseTraits {
   bool background = false;
   bool bodies = false;   ///< Bodies, where they stand, and the sun.
   bool picture = false;  ///< The whole picture: nothing has moved or changed.
+  bool legend = false;   ///< And it had a legend.
 };
 
 /// What the device does well.
@@ -173,7 +177,16 @@ struct PassStep {
   bool operator==(const PassStep&) const = default;
 };
 
-enum class PixelFormat : std::uint8_t { Rgba32f, Rgba16f, Rgba16fDepth32fTimes4, Rgba16fRg32fTimes6, Srgb8Alpha8, R32f, Stencil8 };
+enum class PixelFormat : std::uint8_t {
+  Rgba32f,
+  Rgba16f,
+  Rgba16fDepth32fTimes4,
+  Rgba16fRg32fTimes6,
+  Srgb8Alpha8,
+  R32f,
+  Rg32f,
+  Stencil8
+};
 
 std::uint64_t bytesPerPixel(PixelFormat format);
 
@@ -218,6 +231,9 @@ core::ImageSize dividedSize(core::ImageSize size, unsigned divisor);
 
 /// Whether pictures show a step of how the scene is drawn, and not the scene.
 bool isStudy(const v1::View& view);
+
+/// Whether its colours stand for values: a study of anything but the particles themselves.
+bool showsValues(const v1::View& view);
 
 /// The look of the k-th liquid of a complete scene.
 const v1::Look& lookOf(const v1::Scene& scene, std::size_t liquid);
