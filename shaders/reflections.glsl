@@ -5,13 +5,9 @@
 #include "body_mirror.glsl"
 #endif
 
-// Bodies, surroundings or floor in `direction` from `origin`, as a curved mirror there sees it; both in the world. One look at
+// Surroundings or floor in `direction` from `origin`, as a curved mirror there sees it; both in the world. One look at
 // the surroundings serves both: where there is floor, at its horizon.
 vec3 surroundingsSeen(vec3 origin, vec3 direction, bool asBackground) {
-#ifdef BODY_MIRROR
-  vec4 body = bodySeen(origin, direction);
-  if (body.a > 0.0) return body.rgb;
-#endif
   float height = frame.floorAndHaze.x - origin.y;
   bool meetsFloor = frame.floorAndHaze.z > 0.5 && height * direction.y > 0.0;
   vec3 around = meetsFloor ? levelled(direction) : direction;
@@ -23,8 +19,14 @@ vec3 surroundingsSeen(vec3 origin, vec3 direction, bool asBackground) {
   return floorRadiance(point, vec2(0.1 * distance + 0.02), distance, radiance);
 }
 
-// What a mirror shows,
-vec3 reflectedRadiance(vec3 origin, vec3 direction) { return surroundingsSeen(origin, direction, false); }
+// What a mirror shows, with the bodies,
+vec3 reflectedRadiance(vec3 origin, vec3 direction) {
+#ifdef BODY_MIRROR
+  vec4 body = bodySeen(origin, direction);
+  if (body.a > 0.0) return body.rgb;
+#endif
+  return surroundingsSeen(origin, direction, false);
+}
 // and what is seen through the liquid, a backdrop too.
 vec3 transmittedRadiance(vec3 origin, vec3 direction) { return surroundingsSeen(origin, direction, true); }
 
