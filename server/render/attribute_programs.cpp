@@ -28,8 +28,12 @@ void AttributePrograms::sum(std::span<const ViewValue> particles, float radius, 
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_ONE, GL_ONE);
   glUseProgram(sum_.name());
+  GLint former = 0;
+  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &former);
   glBindVertexArray(array_.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(particles.size()));
+  // What draws the picture goes on with an array of no attributes.
+  glBindVertexArray(static_cast<GLuint>(former));
 }
 
 }  // namespace sluice::render

@@ -30,8 +30,6 @@ void ColourMapPass::spreadOnDevice(const FrameContext& frame, std::span<const Vi
   bindTexture(frame, 0, Resource::Surface);
   onDevice_->sum(particles, frame.scale.radius, frame.surfaceView, attributeView(frame));
 
-  const gl::VertexArray nothing = gl::makeVertexArray();
-  glBindVertexArray(nothing.name());
   beginTarget(frame, Resource::Attribute);
   bindTexture(frame, 0, Resource::AttributeSums);
   glUseProgram(onDevice_->finish().name());
