@@ -224,6 +224,7 @@ TEST_F(Gate, SunBelowTheHorizonHasNoShadowToBeStrong) {
 }
 
 TEST_F(Gate, MapsOfNoStrengthAreTheSame) {
+  scene.mutable_view()->set_legend(false);  // there is one, however little shows
   particles.velocities.assign(particles.size(), {0, 3, 0});
   const core::Frame without = draw();
   EXPECT_EQ(whyNot("velocity map"), "the look has none");
