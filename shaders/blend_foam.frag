@@ -4,6 +4,7 @@
 
 layout(binding = 0) uniform sampler2D foam;
 layout(location = 0) uniform vec3 foamColour;
+layout(location = 1) uniform vec3 glow;  // of drops of a melt
 
 in vec2 uv;
 out vec4 colour;
@@ -23,6 +24,6 @@ void main() {
   // Light goes astray in foam, so that what is turned from the sun is lit as well.
   float lit = 0.35 + 0.65 * max(0.0, 0.4 + 0.6 * dot(normal, frame.sun.xyz));
   vec3 skylight = (0.6 + 0.4 * normal.y) * ambientAbove();
-  vec3 radiance = foamColour * (lit * frame.sunlight.rgb + skylight);
+  vec3 radiance = foamColour * (lit * frame.sunlight.rgb + skylight) + glow;
   colour = vec4(radiance * coverage, coverage);
 }

@@ -32,7 +32,11 @@ vec3 opaqueBody(vec3 point, vec3 normal, float cosine) {
 #ifdef EMISSION
   // A melt glows through a skin that has cooled down, of which an oblique line of sight passes more.
   const float skin = 0.4;
-  body += liquid.emission.rgb * exp(skin - skin / max(cosine, 0.05));
+  vec3 glow = liquid.emission.rgb * exp(skin - skin / max(cosine, 0.05));
+#ifdef NOISE
+  glow *= throughCrust(uv);
+#endif
+  body += glow;
 #endif
   return body;
 }

@@ -12,4 +12,5 @@ layout(std140, binding = 1) uniform LiquidUniforms {
   vec4 reflectance;        // of a metal at right angles
   vec4 cubeAndReach;       // where the cube map was taken, m; how far bodies reach behind what is seen of them, m
   vec4 mirrorSteps;        // places along a mirrored ray that are looked at
+  vec4 sprayTint;          // what spray makes of white; 1 where it glows as the liquid does, else 0
 } liquid;

@@ -46,5 +46,6 @@ void main() {
   // Light is scattered all through a cloud; what faces the sun is little brighter than what does not.
   float lit = 0.7 + 0.3 * dot(normal, frame.sun.xyz);
   vec3 radiance = 0.9 * ambientAbove() + 0.55 * lit * frame.sunlight.rgb;
+  radiance = liquid.sprayTint.rgb * radiance + liquid.sprayTint.w * liquid.emission.rgb;
   colour = vec4(radiance * coverage, coverage);
 }

@@ -1,8 +1,8 @@
 // Needs surface.glsl and normal.glsl. The noise that goes with the particles, on a shaded surface.
 layout(binding = 16) uniform sampler2D noiseMap;  // height, m
+layout(location = 40) uniform vec3 whitening;  // how white; share of the noise of calm liquid; 1/height of violent noise
 #ifdef WHITENING
 layout(binding = 17) uniform sampler2D violenceMap;
-layout(location = 40) uniform vec3 whitening;  // how white; share of the noise of calm liquid; 1/height of violent noise
 #endif
 
 // Slope of the noise from one pixel to the next, m per pixel, on the surface at hand.
@@ -30,6 +30,13 @@ vec3 roughened(vec3 normal, vec2 at, vec2 W, float q) {
   // A wave's far side is not seen: the normal stays towards the eye, or as far from it as it was.
   float away = max(dot(rough, sight) + min(facing, 0.05), 0.0);
   return normalize(rough - away * sight);
+}
+
+// Share of a melt's glow that comes through its crust: plates, each where the noise is high or low, and cracks between
+// them, where it goes through 0.
+float throughCrust(vec2 at) {
+  float plate = smoothstep(0.05, 0.6, abs(texture(noiseMap, at).r) * whitening.z);
+  return exp(-5.0 * plate);
 }
 
 #ifdef WHITENING

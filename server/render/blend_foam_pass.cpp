@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 
 #include "foam_dots.h"
+#include "liquid_uniforms.h"
 #include "pack.h"
 #include "passes.h"
 
@@ -34,8 +35,14 @@ void BlendFoamPass::run(const FrameContext& frame) const {
   // Colours come multiplied by their coverage.
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   bindTexture(frame, 0, Resource::Foam);
-  const auto colour = pack(frame.scene.foam().colour());
+  // Foam is made by liquids together, and looks like the first.
+  const v1::Liquid& liquid = frame.scene.look().liquid();
+  const v1::Vec3& white = frame.scene.foam().colour();
+  const Eigen::Array3f colour =
+      sprayTint(liquid, frame.particles.spacing) * Eigen::Array3d(white.x(), white.y(), white.z()).cast<float>();
   glProgramUniform3fv(program_.name(), 0, 1, colour.data());
+  const auto glow = glows(liquid) ? pack(liquid.emission()) : std::array<float, 4>{};
+  glProgramUniform3fv(program_.name(), 1, 1, glow.data());
   glUseProgram(program_.name());
   keepToFoam(frame);
   drawPicture();

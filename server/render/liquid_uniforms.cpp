@@ -14,7 +14,18 @@ LiquidUniforms::Vec4 glossOf(const v1::Liquid& liquid) {
           0.0F};
 }
 
+Eigen::Array3f colourOf(const v1::Vec3& c) { return Eigen::Array3d(c.x(), c.y(), c.z()).cast<float>(); }
+
 }  // namespace
+
+Eigen::Array3f sprayTint(const v1::Liquid& liquid, double spacing) {
+  if (liquid.has_metal()) return colourOf(liquid.metal().reflectance());
+  if (liquid.opaque()) return colourOf(liquid.colour());
+  const Eigen::Array3f through = (-static_cast<float>(spacing) * colourOf(liquid.absorption())).exp();
+  return through + (1.0F - through) * colourOf(liquid.scatter_colour());
+}
+
+bool glows(const v1::Liquid& liquid) { return liquid.opaque() && !liquid.has_metal(); }
 
 LiquidUniforms makeLiquidUniforms(const ViewGeometry& surface, const ViewGeometry& thickness, const SplatScale& scale,
                                   const SurfacePlan& plan, const BodyMirror& mirror, const v1::Look& look) {
@@ -30,6 +41,7 @@ LiquidUniforms makeLiquidUniforms(const ViewGeometry& surface, const ViewGeometr
   u.emission = pack(liquid.emission());
   u.reflectance = pack(liquid.metal().reflectance());
   u.cubeAndReach = pack(mirror.middle, mirror.reach);
+  u.sprayTint = pack(sprayTint(liquid, scale.spacing).matrix(), glows(liquid) ? 1.0F : 0.0F);
   u.mirrorSteps = {static_cast<float>(mirror.steps), 0.0F, 0.0F, 0.0F};
   return u;
 }

@@ -26,7 +26,15 @@ struct LiquidUniforms {
   Vec4 reflectance;
   Vec4 cubeAndReach;
   Vec4 mirrorSteps;
+  Vec4 sprayTint;
 };
+
+/// What spray and foam of a liquid make of white: light goes through walls of the liquid, a particle spacing of them in
+/// all, and what these take they scatter in the liquid's own colour.
+Eigen::Array3f sprayTint(const v1::Liquid& liquid, double spacing);
+
+/// Whether it sheds light: of opaque liquids that are no metal, some do.
+bool glows(const v1::Liquid& liquid);
 
 /// `surface` and `thickness` are the views of the liquid's two buffers.
 LiquidUniforms makeLiquidUniforms(const ViewGeometry& surface, const ViewGeometry& thickness, const SplatScale& scale,

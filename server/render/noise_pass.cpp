@@ -56,8 +56,7 @@ void bindNoise(const FrameContext& frame, const gl::Program& program) {
   constexpr GLuint kViolence = 17;
   constexpr GLint kStrength = 40;
   bindTexture(frame, kNoise, Resource::Noise);
-  if (!withViolence(frame)) return;
-  bindTexture(frame, kViolence, Resource::Violence);
+  if (withViolence(frame)) bindTexture(frame, kViolence, Resource::Violence);
   const v1::Noise& noise = frame.look.noise();
   glProgramUniform3f(program.name(), kStrength, static_cast<float>(noise.whitening()),
                      static_cast<float>(noise.still_share()), 1.0F / typicalNoise(noise, frame.scale.spacing));
