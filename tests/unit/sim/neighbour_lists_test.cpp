@@ -41,7 +41,7 @@ struct Cloud {
 };
 
 const double kVolume = particleVolume(KernelKind::CubicSpline, kSpacing, kSupport);
-const PairScale kScale(KernelKind::CubicSpline, kSupport, kVolume);
+const PairScale kScale({3, KernelKind::CubicSpline, kSpacing, kSupport, kVolume});
 
 NeighbourLists listsOf(const Cloud& cloud, const PairLoops& loops, int threads = 1) {
   NeighbourLists lists(loops, kScale);
@@ -126,7 +126,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
 struct TwoFluids {
   std::vector<std::uint8_t> fluid;
   Mobility mobility;
-  PairFriction friction;
+  PairStrength friction;
 
   TwoFluids(std::size_t particles, bool several) {
     for (std::size_t i = 0; i < particles; ++i) fluid.push_back(i / 3 % 2);
@@ -171,7 +171,7 @@ void expectTheSameBitsOfAllInstructionSets(bool severalFluids) {
                            r.moved.data());
       r.error += loops
                      ->relaxImpulses(list, velocity.data(), r.lists.gradientSum().data(), factor.data(),
-                                     r.lists.density().data(), 0.002F, r.impulse.data())
+                                     r.lists.density().data(), 0.002F, 0.5F, r.impulse.data())
                      .sum;
       loops->applyViscosity(list, kScale, friction, cloud.positions.data(), velocity.data(), r.viscous.data());
     });
