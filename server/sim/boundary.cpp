@@ -1,6 +1,7 @@
 #include "boundary.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -10,87 +11,118 @@ namespace sluice::sim {
 
 namespace {
 
-using Size = std::array<double, 3>;
-
-/// Intervals along each edge: the fewest that are no longer than the particle spacing.
-std::array<std::int64_t, 3> intervals(const Size& size, double spacing) {
+/// Intervals along each edge: the fewest that are no longer than the particle spacing; none across a plane.
+std::array<std::int64_t, 3> intervals(const Container& container, double spacing) {
   std::array<std::int64_t, 3> n{};
   // A length of 62.00000001 spacings is 62 intervals, not 63.
-  for (int axis = 0; axis < 3; ++axis) {
-    n[axis] = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(size[axis] / spacing - 1e-6)));
+  for (std::size_t axis = 0; axis < container.walledAxes(); ++axis) {
+    n[axis] = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(container.size[axis] / spacing - 1e-6)));
   }
   return n;
 }
 
-/// Points of the surface of an (nx+1)(ny+1)(nz+1) lattice that fills the box.
-std::vector<Float4> samplePoints(const Size& size, double spacing) {
-  const auto [nx, ny, nz] = intervals(size, spacing);
+/// Layers of boundary particles that the support reaches into from where the lowest layer of fluid lies, one spacing
+/// above the face: with fewer, a wide kernel would feel too little of a wall to stay away from it.
+std::int64_t layersOf(double spacing, double support) {
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(support / spacing - 1e-6)) - 1);
+}
+
+/// Points of the faces of an (nx+1)(ny+1)(nz+1) lattice that fills the box, and of layers - 1 shells around it.
+std::vector<Float4> samplePoints(const Container& container, double spacing, std::int64_t layers) {
+  const std::array<std::int64_t, 3> n = intervals(container, spacing);
+  const std::int64_t shells = layers - 1;
+  const auto place = [&](std::size_t axis, std::int64_t step) {
+    return static_cast<float>(container.size[axis] * static_cast<double>(step) / static_cast<double>(n[axis]));
+  };
+  const auto inside = [&](std::size_t axis, std::int64_t step) { return step > 0 && step < n[axis]; };
+  const std::int64_t lowZ = container.plane ? 0 : -shells;
+  const std::int64_t highZ = container.plane ? 0 : n[2] + shells;
   std::vector<Float4> points;
-  points.reserve(static_cast<std::size_t>(BoxBoundary::expectedCount(size, spacing)));
-  for (std::int64_t k = 0; k <= nz; ++k) {
-    for (std::int64_t j = 0; j <= ny; ++j) {
-      const bool onFace = k == 0 || k == nz || j == 0 || j == ny;
-      for (std::int64_t i = 0; i <= nx; i += onFace ? 1 : nx) {
-        const auto place = [](std::int64_t step, std::int64_t steps, double length) {
-          return static_cast<float>(length * static_cast<double>(step) / static_cast<double>(steps));
-        };
-        points.push_back({place(i, nx, size[0]), place(j, ny, size[1]), place(k, nz, size[2]), 0});
+  for (std::int64_t k = lowZ; k <= highZ; ++k) {
+    const float z = container.plane ? static_cast<float>(*container.plane) : place(2, k);
+    for (std::int64_t j = -shells; j <= n[1] + shells; ++j) {
+      const bool throughFluid = (container.plane || inside(2, k)) && inside(1, j);
+      for (std::int64_t i = -shells; i <= n[0] + shells; ++i) {
+        if (throughFluid && i == 1) i = n[0];
+        points.push_back({place(0, i), place(1, j), z, 0});
       }
     }
   }
   return points;
 }
 
-/// γ: what the lowest layer of a lattice over a plane lacks, over what a plane of particles with γ = 1 would give it.
-/// The plane is a square lattice of the same spacing; the mean over where the fluid stands above it.
-double planeCalibration(KernelKind kind, double spacing, double support) {
-  return withKernel(kind, [&]<class Kernel>(Kernel) {
+/// γ: what the lowest layer of a lattice over a wall lacks, over what a wall of particles with γ = 1 would give it. The
+/// wall is a lattice of the same spacing, `layers` thick; the mean over where the fluid stands above it.
+double wallCalibration(const Discretisation& discretisation, std::int64_t layers) {
+  const int dimensions = discretisation.dimensions;
+  const double spacing = discretisation.spacing;
+  const double support = discretisation.support;
+  return withKernel(discretisation.kernel, [&]<class Kernel>(Kernel) {
     const int reach = static_cast<int>(std::ceil(support / spacing)) + 1;
     const auto planeSum = [&](double offsetX, double offsetY, double height) {
       double sum = 0;
-      for (int y = -reach; y <= reach; ++y) {
+      const int reachInY = dimensions == 2 ? 0 : reach;
+      for (int y = -reachInY; y <= reachInY; ++y) {
         for (int x = -reach; x <= reach; ++x) {
           const double dx = (x + offsetX) * spacing;
           const double dy = (y + offsetY) * spacing;
-          sum += kernelValue<Kernel>(std::sqrt(dx * dx + dy * dy + height * height), support);
+          sum += kernelValue<Kernel>(std::sqrt(dx * dx + dy * dy + height * height), support, dimensions);
         }
       }
       return sum;
     };
-    constexpr int kOffsets = 8;
-    double above = 0;
-    for (int a = 0; a < kOffsets; ++a) {
-      for (int b = 0; b < kOffsets; ++b) {
-        above += planeSum(a / double{kOffsets}, b / double{kOffsets}, spacing) / (kOffsets * kOffsets);
+    /// Σ_k W_bk of a particle of a layer over all layers.
+    const auto around = [&](std::int64_t layer) {
+      double sum = 0;
+      for (std::int64_t other = 0; other < layers; ++other) {
+        sum += planeSum(0, 0, static_cast<double>(layer - other) * spacing);
       }
+      return sum;
+    };
+    constexpr int kOffsets = 8;
+    const int offsetsInY = dimensions == 2 ? 1 : kOffsets;
+    const double first = around(0);
+    double above = 0;
+    for (std::int64_t layer = 0; layer < layers; ++layer) {
+      const double height = static_cast<double>(layer + 1) * spacing;
+      double mean = 0;
+      for (int a = 0; a < kOffsets; ++a) {
+        for (int b = 0; b < offsetsInY; ++b) {
+          mean += planeSum(a / double{kOffsets}, b / double{kOffsets}, height) / (kOffsets * offsetsInY);
+        }
+      }
+      above += mean * (first / around(layer));
     }
-    return (1 - halfSpaceDensity(kind, spacing, support)) * planeSum(0, 0, 0) / above;
+    return (1 - halfSpaceDensity(discretisation.kernel, spacing, support, dimensions)) * first / above;
   });
 }
 
 }  // namespace
 
-double BoxBoundary::expectedCount(const Size& size, double spacing) {
+double BoxBoundary::expectedCount(const Container& container, double spacing, double support) {
+  const std::int64_t shells = layersOf(spacing, support) - 1;
   double outer = 1;
   double inner = 1;
-  for (const std::int64_t n : intervals(size, spacing)) {
-    outer *= static_cast<double>(n + 1);
-    inner *= static_cast<double>(n - 1);
+  const std::array<std::int64_t, 3> n = intervals(container, spacing);
+  for (std::size_t axis = 0; axis < container.walledAxes(); ++axis) {
+    outer *= static_cast<double>(n[axis] + 1 + 2 * shells);
+    inner *= static_cast<double>(n[axis] - 1);
   }
   return outer - inner;
 }
 
-BoxBoundary::BoxBoundary(const Size& size, double spacing, double support, KernelKind kernel, double fluidVolume,
-                         const CellGeometry& geometry, const Team& team)
+BoxBoundary::BoxBoundary(const Container& container, const Discretisation& discretisation, const CellGeometry& geometry,
+                         const Team& team)
     : grid_(geometry) {
-  const std::vector<Float4> points = samplePoints(size, spacing);
+  const std::int64_t layers = layersOf(discretisation.spacing, discretisation.support);
+  const std::vector<Float4> points = samplePoints(container, discretisation.spacing, layers);
   grid_.sort(points, team);
   points_.resize(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) points_[k] = points[grid_.order()[k]];
 
-  const double calibration = planeCalibration(kernel, spacing, support);
+  const double calibration = wallCalibration(discretisation, layers);
   volumes_.resize(points_.size());
-  withKernel(kernel, [&]<class Kernel>(Kernel) {
+  withKernel(discretisation.kernel, [&]<class Kernel>(Kernel) {
     team.forEachChunk(points_.size(), [&](const Chunk& chunk) {
       for (std::size_t b = chunk.first; b < chunk.last; ++b) {
         double sum = 0;
@@ -100,10 +132,11 @@ BoxBoundary::BoxBoundary(const Size& size, double spacing, double support, Kerne
             const double dx = points_[b].x - points_[k].x;
             const double dy = points_[b].y - points_[k].y;
             const double dz = points_[b].z - points_[k].z;
-            sum += kernelValue<Kernel>(std::sqrt(dx * dx + dy * dy + dz * dz), support);
+            sum += kernelValue<Kernel>(std::sqrt(dx * dx + dy * dy + dz * dz), discretisation.support,
+                                       discretisation.dimensions);
           }
         }
-        volumes_[b] = static_cast<float>(calibration / sum / fluidVolume);
+        volumes_[b] = static_cast<float>(calibration / sum / discretisation.volume);
       }
     });
   });

@@ -1,27 +1,27 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "cell_grid.h"
-#include "kernel.h"
+#include "container.h"
+#include "discretisation.h"
 #include "particles.h"
 
 namespace sluice::sim {
 
 /// Boundary particles on the inner faces of a box whose lower corner is the origin, Akinci et al. 2012: each carries
 /// the pseudo-volume V_b = γ / Σ_k W_bk over the boundary particles around it, so that densely and sparsely sampled
-/// places count alike. γ makes up for there being one layer of them: it is chosen so that a lattice of fluid whose
-/// lowest layer lies one spacing from a face has exactly the rest density there.
+/// places count alike. γ makes up for there being few layers of them, one for
+/// supports of up to two spacings, behind one another for wider ones: it is chosen so that a lattice of fluid whose
+/// lowest layer lies one spacing from a face has exactly the rest density there. A planar scene has them on four edges.
 class BoxBoundary {
  public:
-  /// `fluidVolume` is that of a fluid particle; volumes are kept as multiples of it.
-  BoxBoundary(const std::array<double, 3>& size, double spacing, double support, KernelKind kernel, double fluidVolume,
-              const CellGeometry& geometry, const Team& team);
+  BoxBoundary(const Container& container, const Discretisation& discretisation, const CellGeometry& geometry,
+              const Team& team);
 
   /// Particles that the box would be sampled with, before any are made.
-  static double expectedCount(const std::array<double, 3>& size, double spacing);
+  static double expectedCount(const Container& container, double spacing, double support);
 
   std::size_t size() const { return points_.size(); }
 

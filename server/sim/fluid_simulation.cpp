@@ -1,6 +1,7 @@
 #include "fluid_simulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <thread>
@@ -18,22 +19,26 @@ int threadCount(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-KernelKind kernelOf(const v1::Simulation&) { return KernelKind::CubicSpline; }
-
-double supportOf(const v1::Simulation& settings) {
-  return settings.cubic_spline().support_in_spacings() * settings.particle_spacing();
+std::uint64_t bytesOf(const ParticleState& state) {
+  std::uint64_t bytes = 0;
+  const auto add = [&](const auto& values, const auto&) { bytes += values.size() * sizeof(values[0]); };
+  state.forEachArray(state, add);
+  return bytes;
 }
 
 /// Cells per axis and in all that the particles of a box are sorted into: no more than a few per particle.
 CellGeometry cellsOf(const Container& container, double support, double particles) {
   constexpr double kCellsPerParticle = 8;
   constexpr double kFewCells = 1 << 16;
-  return CellGeometry::covering(container.size, support,
+  std::array<double, 3> size = container.size;
+  if (container.plane) size[2] = support;
+  return CellGeometry::covering(size, support,
                                 static_cast<std::uint64_t>(std::max(kFewCells, kCellsPerParticle * particles)));
 }
 
 double checkedBoundaryCount(const v1::Simulation& settings, const Container& container) {
-  const double count = BoxBoundary::expectedCount(container.size, settings.particle_spacing());
+  const double count =
+      BoxBoundary::expectedCount(container, settings.particle_spacing(), discretisationOf(settings).support);
   const double limit = 0.5 * static_cast<double>(availableMemory()) / static_cast<double>(kBytesPerBoundaryParticle);
   if (count > std::min(limit, 4e9)) {
     std::ostringstream problem;
@@ -48,51 +53,88 @@ ParticleState checkedInitialState(const v1::Simulation& settings, const Containe
   // Particles are numbered with 32 bits, of which the pair loops use the sign.
   constexpr std::uint64_t kMostParticles = (std::uint64_t{1} << 31) - 1;
   // 0.8: the rest of the program needs memory too.
-  const auto affordable = static_cast<std::uint64_t>(0.8 * static_cast<double>(availableMemory())) / kBytesPerParticle;
+  const auto affordable = static_cast<std::uint64_t>(0.8 * static_cast<double>(availableMemory())) /
+                          bytesPerParticle(discretisationOf(settings));
   return initialState(settings, container, std::min(affordable, kMostParticles));
+}
+
+void checkPlanar(const v1::Simulation& settings) {
+  if (!settings.planar() || settings.gravity().z() == 0) return;
+  throw core::InputError("", "simulation.gravity.z", "must be 0: the scene is planar");
+}
+
+/// Whether two scenes choose the same members everywhere that a simulation builds on.
+bool sameMethods(const v1::Simulation& a, const v1::Simulation& b) {
+  const auto solverOf = [](const v1::Simulation& simulation) {
+    return simulation.has_iisph() + 2 * simulation.has_pbf() + 3 * simulation.has_wcsph();
+  };
+  return solverOf(a) == solverOf(b) && a.has_wendland_c2() == b.has_wendland_c2() &&
+         a.has_surface_tension() == b.has_surface_tension() &&
+         a.surface_tension().has_he2014() == b.surface_tension().has_he2014() &&
+         a.has_micropolar() == b.has_micropolar();
+}
+
+/// What applies live, besides the fluids' own fields, between scenes of the same methods.
+void copyLiveFields(const v1::Simulation& from, v1::Simulation& to) {
+  *to.mutable_gravity() = from.gravity();
+  *to.mutable_time_step() = from.time_step();
+  if (from.has_dfsph()) *to.mutable_dfsph() = from.dfsph();
+  if (from.has_iisph()) *to.mutable_iisph() = from.iisph();
+  if (from.has_pbf()) *to.mutable_pbf() = from.pbf();
+  if (from.has_wcsph()) *to.mutable_wcsph() = from.wcsph();
+  if (from.has_automatic_viscosity()) *to.mutable_automatic_viscosity() = from.automatic_viscosity();
+  if (from.has_explicit_viscosity()) *to.mutable_explicit_viscosity() = from.explicit_viscosity();
+  if (from.has_implicit_viscosity()) *to.mutable_implicit_viscosity() = from.implicit_viscosity();
+  if (from.has_surface_tension()) *to.mutable_surface_tension() = from.surface_tension();
+  if (from.has_micropolar()) *to.mutable_micropolar() = from.micropolar();
 }
 
 }  // namespace
 
 FluidSimulation::FluidSimulation(const v1::Simulation& settings, const SimulationOptions& options)
-    : FluidSimulation(settings, options, threadCount(options.threads), containerOf(settings), kernelOf(settings),
-                      supportOf(settings),
-                      particleVolume(kernelOf(settings), settings.particle_spacing(), supportOf(settings))) {}
-
-FluidSimulation::FluidSimulation(const v1::Simulation& settings, const SimulationOptions& options, int threads,
-                                 const Container& container, KernelKind kernel, double support, double volume)
     : settings_(settings),
       options_(options),
-      team_(threads),
+      team_(threadCount(options.threads)),
       mixture_(settings),
-      container_(container),
-      support_(support),
-      volume_(volume),
-      boundary_(container.size, settings.particle_spacing(), support, kernel, volume,
-                cellsOf(container, support, checkedBoundaryCount(settings, container)), team_),
+      container_(containerOf(settings)),
+      discretisation_(discretisationOf(settings)),
+      boundary_(container_, discretisation_,
+                cellsOf(container_, discretisation_.support, checkedBoundaryCount(settings, container_)), team_),
       grid_(boundary_.grid().geometry()),
-      lists_(options.loops != nullptr ? *options.loops : bestPairLoops(), PairScale(kernel, support, volume)) {
+      lists_(options.loops != nullptr ? *options.loops : bestPairLoops(), PairScale(discretisation_)),
+      solver_(makePressureSolver(settings)),
+      surfaceTension_(makeSurfaceTension(settings)) {
+  checkPlanar(settings);
   reset();
   checkOverlaps();
 }
 
 void FluidSimulation::reset() {
   state_ = checkedInitialState(settings_, container_);
-  previous_.resize(state_.size());
-  previous_.fluid.resize(state_.fluid.size());
+  solver_->reset(state_, container_);
+  if (settings_.has_micropolar()) MicropolarModel::reset(state_);
   statistics_ = {};
   time_ = lastStepSeconds_ = 0;
   length_ = {};
   recoverySeconds_ = std::numeric_limits<double>::infinity();
+  pressureAcceleration_ = 0;
   wallContacts_ = 0;
   halted_.clear();
+  freeFlight_.reset();
   maxSpeed_ = 0;
   for (const Float4& v : state_.velocity) {
     maxSpeed_ = std::max(maxSpeed_, std::sqrt(static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z)));
   }
+  StepContext start = beginStep();
+  start.boundaryInReach = true;
+  for (const Stage stage : planStep(settings_, {state_.size()}).stages) {
+    // What every step ends with.
+    if (stage == Stage::Sort || stage == Stage::Neighbours || stage == Stage::Boundary || stage == Stage::Factors ||
+        stage == Stage::DensityError) {
+      run(stage, start);
+    }
+  }
   statistics_.maxSpeed = maxSpeed_;
-  boundaryInReach_ = true;
-  for (const Stage stage : {Stage::Sort, Stage::Neighbours, Stage::Boundary, Stage::Factors}) run(stage);
   statistics_.stages.clear();
   findBoundaryInReach();
 }
@@ -134,7 +176,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   // Every particle is there from the start.
   snapshot->ages.assign(state_.size(), static_cast<float>(time_));
   snapshot->fluids = state_.fluid;
-  snapshot->supportRadius = support_;
+  snapshot->supportRadius = discretisation_.support;
   snapshot->neighbours.resize(state_.size());
   const std::vector<float> restDensity(mixture_.restDensities().begin(), mixture_.restDensities().end());
   // κ = p·dt/ρ_max: u = v − dt/ρ·∇p, see Mixture. Of the density solve, which is the one that carries gravity.
@@ -167,14 +209,17 @@ void FluidSimulation::update(const v1::Scene& scene) {
   if (next.time_step().min_seconds() > next.time_step().max_seconds()) {
     throw core::InputError("", "simulation.time_step.min_seconds", "must not be more than max_seconds");
   }
-  *settings_.mutable_gravity() = next.gravity();
-  *settings_.mutable_dfsph() = next.dfsph();
-  *settings_.mutable_time_step() = next.time_step();
+  if (!sameMethods(settings_, next)) {
+    throw core::InputError("", "simulation", "its methods cannot change while the simulation runs");
+  }
+  checkPlanar(next);
+  copyLiveFields(next, settings_);
   for (int f = 0; f < next.fluids_size(); ++f) {
     settings_.mutable_fluids(f)->set_name(next.fluids(f).name());
     settings_.mutable_fluids(f)->set_viscosity(next.fluids(f).viscosity());
   }
   mixture_.setViscosities(settings_);
+  solver_->update(settings_);
   // What stopped it (a smallest time step, too few iterations) may just have been changed.
   halted_.clear();
   recoverySeconds_ = std::numeric_limits<double>::infinity();
@@ -186,12 +231,13 @@ core::Plan FluidSimulation::plan() const {
     plan.buffers.push_back({std::string(name), bytes});
   };
   const std::uint64_t particles = state_.size();
-  add("state, twice", 2 * particles * (2 * sizeof(Float4) + 2 * sizeof(float) + sizeof(std::uint32_t)) +
-                          (state_.fluid.size() + previous_.fluid.size()) * sizeof(std::uint8_t));
+  add("state, twice", bytesOf(state_) + bytesOf(previous_));
+  if (solver_->movesParticles()) add("state at the step's beginning", bytesOf(beginning_));
   add("pairs and sums", lists_.bytes());
-  add("pressure solve", solver_.bytes());
-  add("factors", (factor_.size() + divergenceFactor_.size()) * sizeof(float));
-  add("forces", scratch_.size() * sizeof(Float4));
+  add("pressure solve", solver_->bytes());
+  add("viscosity", explicitViscosity_.bytes() + implicitViscosity_.bytes());
+  if (surfaceTension_) add("surface tension", surfaceTension_->bytes());
+  if (settings_.has_micropolar()) add("micropolar", micropolar_.bytes());
   add("cells", (grid_.starts().size() + 3 * particles) * sizeof(std::uint32_t));
   add("boundary", boundary_.size() * (sizeof(Float4) + sizeof(float)) +
                       (boundary_.grid().starts().size() + 3 * boundary_.size()) * sizeof(std::uint32_t));

@@ -7,30 +7,37 @@
 
 #include "boundary.h"
 #include "cell_grid.h"
+#include "container.h"
+#include "discretisation.h"
+#include "free_flight.h"
 #include "initial_state.h"
+#include "micropolar.h"
 #include "mixture.h"
 #include "neighbour_lists.h"
 #include "particles.h"
-#include "pressure_solve.h"
+#include "pressure_solver.h"
 #include "sluice/core/particle_source.h"
 #include "sluice/sim/step_plan.h"
 #include "sluice/v1/scene.pb.h"
+#include "surface_tension.h"
 #include "team.h"
 #include "time_step.h"
+#include "viscosity_explicit.h"
+#include "viscosity_weiler2018.h"
 
 namespace sluice::sim {
 
 struct SimulationOptions {
   int threads = 0;                   ///< 0: one for each core.
   const PairLoops* loops = nullptr;  ///< Null: the fastest that this machine runs.
-  /// Also run stages that a plan leaves out as having no effect (viscosity, gravity, boundary): for the tests that show
-  /// that leaving them out changes nothing.
+  /// Also run stages that a plan leaves out as having no effect (viscosity, gravity, boundary, …): for the tests that
+  /// show that leaving them out changes nothing.
   bool keepInertStages = false;
 };
 
-/// DFSPH in a closed box [BK17: Bender & Koschier 2017, Divergence-free SPH for incompressible and viscous fluids].
-/// A step runs the stages of its StepPlan, no others. A step that would leave a state that cannot be right is taken
-/// back and tried again with half the length. Used by one thread; loops run on an OpenMP team.
+/// SPH in a closed box. A step runs the stages of its StepPlan, no others; which they are follows from the methods that
+/// the scene chooses. A step that would leave a state that cannot be right is taken back and tried again with half the
+/// length. Used by one thread; loops run on an OpenMP team.
 class FluidSimulation : public core::ParticleSource {
  public:
   explicit FluidSimulation(const v1::Simulation& settings, const SimulationOptions& options = {});
@@ -54,52 +61,55 @@ class FluidSimulation : public core::ParticleSource {
   std::uint64_t wallContacts() const { return wallContacts_; }
 
  private:
-  FluidSimulation(const v1::Simulation& settings, const SimulationOptions& options, int threads,
-                  const Container& container, KernelKind kernel, double support, double volume);
-
   void checkOverlaps() const;
+  TimeStepInputs timeStepInputs() const;
+  StepTraits traits() const;
+  StepPlan currentPlan() const;
+  StepContext beginStep();
   bool tryStep();
-  void run(Stage stage);
-  void chooseLength();
-  void solveDivergence();
-  void applyViscosity();
-  void applyGravity();
-  void solveDensity();
-  void scaleImpulses(std::vector<float>& impulse, double scale) const;
-  void move();
+  void finish(const StepContext& step);
+  void run(Stage stage, StepContext& step);
+  void acceptLength(StepContext& step) const;
+  void applyGravity(const StepContext& step);
+  void move(StepContext& step);
   void sort();
-  void computeFactors();
+  void findNeighbours(const StepContext& step);
+  void measureCompression();
   void takeBack();
   void findBoundaryInReach();
-  StepPlan currentPlan() const;
 
   v1::Simulation settings_;
   SimulationOptions options_;
   Team team_;
   Mixture mixture_;
   Container container_;
-  double support_;
-  double volume_;
+  Discretisation discretisation_;
   BoxBoundary boundary_;
 
   ParticleState state_;
   /// The state before the last sort, whose k-th particle is now grid_.order()'s: what a step is taken back to.
   ParticleState previous_;
+  /// The state at the step's beginning, where the solver still moves particles after they are sorted.
+  ParticleState beginning_;
+  bool sortedInStep_ = false;
   CellGrid grid_;
   NeighbourLists lists_;
-  PressureSolve solver_;
-  std::vector<float> factor_;            ///< α_i, m² (see PressureSolve).
-  std::vector<float> divergenceFactor_;  ///< α_i, 0 near a free surface.
-  std::vector<Float4> scratch_;
+  FreeFlight freeFlight_;
+
+  std::unique_ptr<PressureSolver> solver_;
+  ExplicitViscosity explicitViscosity_;
+  ImplicitViscosity implicitViscosity_;
+  std::unique_ptr<SurfaceTension> surfaceTension_;
+  MicropolarModel micropolar_;
 
   double time_ = 0;
   TimeStepChoice length_;
   double lastStepSeconds_ = 0;  ///< Of the last step that was taken; 0 before the first.
   double recoverySeconds_ = std::numeric_limits<double>::infinity();
   double maxSpeed_ = 0;
+  double pressureAcceleration_ = 0;  ///< Of explicit pressure forces in the last step, m/s².
   bool boundaryInReach_ = true;
   std::uint64_t wallContacts_ = 0;
-  std::string trouble_;  ///< Why the step that is being tried cannot be taken.
   std::string halted_;
   core::StepStatistics statistics_;
 };

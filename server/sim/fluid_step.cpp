@@ -1,51 +1,21 @@
-// The stages of a step of FluidSimulation, and what becomes of a step that fails.
+// A step of FluidSimulation: which stages run, those that are of no method in particular, and what becomes of a step
+// that fails.
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "fluid_simulation.h"
+#include "move_check.h"
 #include "sluice/core/stage_times.h"
+#include "walls.h"
 
 namespace sluice::sim {
 
 namespace {
 
-// A step in which a particle would cross more than this many spacings is taken back: it could jump through the one
-// layer of boundary particles. The CFL number may be up to 1.
-constexpr double kLargestMove = 1.5;
-
-// A density solve that has used up its iterations is accepted while the mean compression left is below this.
-constexpr double kSaneCompression = 0.01;
-
-// How close to a face a particle may come, in spacings, before it is held there. Pressure keeps particles about one
-// spacing away; only a fast one that flies alone gets near, because a lone particle is not compressed by its speed.
-constexpr float kWallClearance = 0.5F;
-
 // After a step had to be taken back, its length grows again by this factor a step.
 constexpr double kRecoveryGrowth = 1.25;
-
-// Share of the last step's impulses that a solve starts from.
-constexpr double kDensityWarmStart = 0.5;
-constexpr double kDivergenceWarmStart = 0.5;
-
-// Fluids further apart in rest density than this are worth a word where a density solve fails.
-constexpr double kDemandingRatio = 10;
-
-// Fewer neighbours than this mark a free surface in three dimensions, where divergence is no sign of compression
-// [BK17].
-constexpr std::uint16_t kFullNeighbourhood = 20;
-
-struct MoveCheck {
-  double largestSquare = 0;
-  bool finite = true;
-
-  MoveCheck& operator+=(const MoveCheck& other) {
-    largestSquare = std::max(largestSquare, other.largestSquare);
-    finite = finite && other.finite;
-    return *this;
-  }
-};
 
 struct Count {
   std::uint64_t value = 0;
@@ -66,132 +36,155 @@ struct CompressionSum {
   }
 };
 
-double squaredNorm(const Float4& v) {
-  return static_cast<double>(v.x) * v.x + static_cast<double>(v.y) * v.y + static_cast<double>(v.z) * v.z;
-}
-
 double norm(const v1::Vec3& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()); }
-
-/// Holds one coordinate inside [low, high]; returns whether it had to.
-bool hold(float& position, float& velocity, float low, float high) {
-  if (position >= low && position <= high) return false;
-  const bool below = position < low;
-  position = below ? low : high;
-  if (below == (velocity < 0)) velocity = 0;
-  return true;
-}
 
 }  // namespace
 
+TimeStepInputs FluidSimulation::timeStepInputs() const {
+  const double tension = settings_.has_surface_tension() ? settings_.surface_tension().tension() : 0;
+  return {.spacing = discretisation_.spacing,
+          .support = discretisation_.support,
+          .maxSpeed = maxSpeed_,
+          .acceleration = std::max(norm(settings_.gravity()), pressureAcceleration_),
+          .viscosity = mixture_.largestViscosity(),
+          .kinematicTension = tension / mixture_.lightest(),
+          .speedOfSound = solver_->speedOfSound(),
+          .courant = settings_.wcsph().courant(),
+          .viscosityChoice = viscosityChoiceOf(settings_),
+          .recovery = recoverySeconds_};
+}
+
+StepTraits FluidSimulation::traits() const {
+  const TimeStepChoice length = chooseTimeStep(settings_.time_step(), timeStepInputs());
+  return {.particles = state_.size(),
+          .boundaryInReach = boundaryInReach_,
+          .freeFlight = !boundaryInReach_ && freeFlight_.covers(state_.velocity, length.seconds, team_),
+          .implicitViscosity = length.implicitViscosity};
+}
+
 StepPlan FluidSimulation::currentPlan() const {
-  if (!options_.keepInertStages) return planStep(settings_, {state_.size(), boundaryInReach_});
+  const StepTraits present = traits();
+  if (!options_.keepInertStages) return planStep(settings_, present);
   // A plan for a scene where every stage has something to do; it runs with this scene's own values.
   v1::Simulation busy = settings_;
   busy.mutable_gravity()->set_y(-1);
   busy.mutable_fluids(0)->set_viscosity(1);
-  return planStep(busy, {state_.size(), true});
+  if (busy.has_surface_tension()) busy.mutable_surface_tension()->set_tension(1);
+  if (busy.has_micropolar()) busy.mutable_micropolar()->set_transfer(1);
+  return planStep(busy, {.particles = present.particles, .implicitViscosity = present.implicitViscosity});
 }
 
 bool FluidSimulation::advance() {
   const core::StepStatistics before = statistics_;
   while (halted_.empty()) {
     if (tryStep()) return true;
-    takeBack();
     statistics_ = before;
-    recoverySeconds_ = 0.5 * length_.seconds;
-    const double shortest = settings_.time_step().min_seconds();
-    if (recoverySeconds_ >= shortest) continue;
-    std::ostringstream message;
-    message << "the simulation stopped at " << time_ << " s: a step would have to be shorter than "
-            << "simulation.time_step.min_seconds, " << shortest << " s: " << trouble_;
-    halted_ = message.str();
   }
   return false;
 }
 
-bool FluidSimulation::tryStep() {
-  trouble_.clear();
+StepContext FluidSimulation::beginStep() {
   statistics_.stages.clear();
+  statistics_.densityIterations = statistics_.divergenceIterations = statistics_.viscosityIterations = 0;
+  sortedInStep_ = false;
+  if (solver_->movesParticles()) beginning_ = state_;
   findBoundaryInReach();
+  length_ = chooseTimeStep(settings_.time_step(), timeStepInputs());
+  return {.discretisation = discretisation_,
+          .container = container_,
+          .boundary = boundary_,
+          .mixture = mixture_,
+          .team = team_,
+          .grid = grid_,
+          .lists = lists_,
+          .state = state_,
+          .statistics = statistics_,
+          .seconds = length_.seconds,
+          .lastSeconds = lastStepSeconds_,
+          .maxCompression = settings_.time_step().max_compression() / 100,
+          .boundaryInReach = boundaryInReach_,
+          .trouble = {}};
+}
+
+bool FluidSimulation::tryStep() {
+  StepContext step = beginStep();
   const StepPlan plan = currentPlan();
   for (const Stage stage : plan.stages) {
-    run(stage);
-    if (!trouble_.empty()) return false;
+    run(stage, step);
+    if (step.trouble.empty()) continue;
+    takeBack();
+    recoverySeconds_ = 0.5 * length_.seconds;
+    const double shortest = settings_.time_step().min_seconds();
+    if (recoverySeconds_ < shortest) {
+      std::ostringstream message;
+      message << "the simulation stopped at " << time_ << " s: a step would have to be shorter than "
+              << "simulation.time_step.min_seconds, " << shortest << " s: " << step.trouble;
+      halted_ = message.str();
+    }
+    return false;
   }
-  time_ += length_.seconds;
-  lastStepSeconds_ = length_.seconds;
-  recoverySeconds_ *= kRecoveryGrowth;
-  ++statistics_.steps;
-  statistics_.timeStepSeconds = length_.seconds;
-  statistics_.timeStepLimit = length_.limit;
-  statistics_.maxSpeed = maxSpeed_;
+  if (!plan.contains(Stage::Neighbours)) freeFlight_.advance(state_.velocity, step.seconds, team_);
+  finish(step);
   return true;
 }
 
-void FluidSimulation::run(Stage stage) {
+void FluidSimulation::finish(const StepContext& step) {
+  time_ += step.seconds;
+  lastStepSeconds_ = step.seconds;
+  maxSpeed_ = step.maxSpeed;
+  pressureAcceleration_ = step.pressureAcceleration;
+  recoverySeconds_ *= kRecoveryGrowth;
+  ++statistics_.steps;
+  statistics_.timeStepSeconds = step.seconds;
+  statistics_.timeStepLimit = length_.limit;
+  statistics_.maxSpeed = maxSpeed_;
+}
+
+void FluidSimulation::run(Stage stage, StepContext& step) {
   const core::StageTimer timer(statistics_.stages, stageName(stage));
   switch (stage) {
     case Stage::TimeStep:
-      return chooseLength();
-    case Stage::DivergenceSolve:
-      return solveDivergence();
+      return acceptLength(step);
+    case Stage::SurfaceTension:
+      return surfaceTension_->apply(settings_.surface_tension(), step);
+    case Stage::Micropolar:
+      return micropolar_.apply(settings_.micropolar(), step);
     case Stage::Viscosity:
-      return applyViscosity();
+      return explicitViscosity_.apply(step);
+    case Stage::ImplicitViscosity:
+      return implicitViscosity_.apply(settings_.has_implicit_viscosity() ? settings_.implicit_viscosity()
+                                                                         : settings_.automatic_viscosity().implicit(),
+                                      step);
     case Stage::Gravity:
-      return applyGravity();
-    case Stage::DensitySolve:
-      return solveDensity();
+      return applyGravity(step);
     case Stage::Move:
-      return move();
+      return move(step);
     case Stage::Sort:
       return sort();
     case Stage::Neighbours:
-      return lists_.find(grid_, state_.position, team_);
+      return findNeighbours(step);
     case Stage::Boundary:
       return lists_.addBoundary(boundary_, grid_, state_.position, team_);
+    case Stage::DensityError:
+      return measureCompression();
+    case Stage::DivergenceSolve:
+    case Stage::DensitySolve:
+    case Stage::EquationOfState:
+    case Stage::PositionSolve:
     case Stage::Factors:
-      return computeFactors();
+      return solver_->run(stage, step);
   }
 }
 
-void FluidSimulation::chooseLength() {
-  length_ =
-      chooseTimeStep(settings_.time_step(), {settings_.particle_spacing(), support_, maxSpeed_,
-                                             norm(settings_.gravity()), mixture_.largestViscosity(), recoverySeconds_});
-  if (length_.seconds < settings_.time_step().min_seconds()) {
-    std::ostringstream text;
-    text << "the bound \"" << length_.limit << "\" allows " << length_.seconds << " s";
-    trouble_ = text.str();
-  }
+void FluidSimulation::acceptLength(StepContext& step) const {
+  if (step.seconds >= settings_.time_step().min_seconds()) return;
+  std::ostringstream text;
+  text << "the bound \"" << length_.limit << "\" allows " << step.seconds << " s";
+  step.trouble = text.str();
 }
 
-void FluidSimulation::solveDivergence() {
-  const v1::Dfsph& dfsph = settings_.dfsph();
-  SolveGoal goal;
-  goal.seconds = length_.seconds;
-  goal.tolerance = dfsph.divergence_error() / 100;
-  goal.maxIterations = dfsph.max_iterations();
-  scaleImpulses(state_.divergenceImpulse, dfsph.warm_start() ? kDivergenceWarmStart : 0);
-  const SolveOutcome outcome = solver_.run(goal, lists_, mixture_.mobility(state_.fluid), divergenceFactor_,
-                                           state_.velocity, state_.divergenceImpulse, team_);
-  statistics_.divergenceIterations = outcome.iterations;
-}
-
-void FluidSimulation::applyViscosity() {
-  // a_i = 2(D+2) Σ_j ν_ij V_j (v_ij·x_ij) / (|x_ij|² + 0.01 H²) ∇W_ij with D = 3, Monaghan 1992 (the classical form,
-  // which keeps linear and angular momentum); as ∇W_ij is parallel to x_ij, (v_ij·x_ij) ∇W_ij = (v_ij·∇W_ij) x_ij.
-  // Walls are free of friction.
-  const PairFriction friction = mixture_.friction(state_.fluid, length_.seconds);
-  scratch_.resize(state_.size());
-  team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
-    lists_.loops().applyViscosity(lists_.chunk(chunk), lists_.scale(), friction, state_.position.data(),
-                                  state_.velocity.data(), scratch_.data());
-  });
-  state_.velocity.swap(scratch_);
-}
-
-void FluidSimulation::applyGravity() {
-  const auto change = [&](double g) { return static_cast<float>(g * length_.seconds); };
+void FluidSimulation::applyGravity(const StepContext& step) {
+  const auto change = [&](double g) { return static_cast<float>(g * step.seconds); };
   const Float4 dv{change(settings_.gravity().x()), change(settings_.gravity().y()), change(settings_.gravity().z()), 0};
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
@@ -201,138 +194,65 @@ void FluidSimulation::applyGravity() {
   });
 }
 
-void FluidSimulation::solveDensity() {
-  const v1::Dfsph& dfsph = settings_.dfsph();
-  SolveGoal goal;
-  goal.density = &lists_.density();
-  goal.seconds = length_.seconds;
-  goal.tolerance = dfsph.density_error() / 100;
-  goal.minIterations = 2;  // [BK17]: one iteration measures, but does not yet couple neighbours.
-  goal.maxIterations = dfsph.max_iterations();
-  // An impulse is pressure times time: the same pressure over a step of another length.
-  const double ratio = lastStepSeconds_ > 0 ? length_.seconds / lastStepSeconds_ : 0;
-  scaleImpulses(state_.densityImpulse, dfsph.warm_start() ? kDensityWarmStart * ratio : 0);
-  const SolveOutcome outcome = solver_.run(goal, lists_, mixture_.mobility(state_.fluid), factor_, state_.velocity,
-                                           state_.densityImpulse, team_);
-  statistics_.densityIterations = outcome.iterations;
-
-  const double sane = std::max(kSaneCompression, 10 * goal.tolerance);
-  if (outcome.iterations == goal.maxIterations && outcome.meanError > sane) {
-    std::ostringstream text;
-    text << "the density solve left a mean compression of " << 100 * outcome.meanError << " % after "
-         << outcome.iterations << " iterations";
-    // Jacobi iteration moves pressure on slowly where a light fluid carries a heavy one.
-    if (mixture_.densityRatio() > kDemandingRatio) {
-      text << ", in fluids whose rest densities differ by a factor of " << mixture_.densityRatio()
-           << " (more simulation.dfsph.max_iterations, or rest densities closer to each other, would help)";
-    }
-    trouble_ = text.str();
-  }
-}
-
-void FluidSimulation::scaleImpulses(std::vector<float>& impulse, double scale) const {
-  // An impulse that would push the lattice apart by more than a tenth of its spacing is no good guess.
-  const double spacing = settings_.particle_spacing();
-  const auto largest = static_cast<float>(0.1 * spacing * spacing / length_.seconds);
-  const auto factor = static_cast<float>(scale);
-  team_.forEachChunk(impulse.size(), [&](const Chunk& chunk) {
-    for (std::size_t i = chunk.first; i < chunk.last; ++i) impulse[i] = std::min(impulse[i] * factor, largest);
-  });
-}
-
-void FluidSimulation::move() {
-  const auto check = team_.sumOverChunks<MoveCheck>(state_.size(), [&](const Chunk& chunk) {
-    MoveCheck part;
-    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-      const double square = squaredNorm(state_.velocity[i]);
-      part.largestSquare = std::max(part.largestSquare, square);
-      part.finite = part.finite && std::isfinite(square);
-    }
-    return part;
-  });
-  const double fastest = std::sqrt(check.largestSquare);
-  const double spacings = fastest * length_.seconds / settings_.particle_spacing();
-  if (!check.finite) {
-    trouble_ = "velocities are no longer finite";
-    return;
-  }
-  if (spacings > kLargestMove) {
-    std::ostringstream text;
-    text << "a particle would move by " << spacings << " particle spacings in one step";
-    trouble_ = text.str();
-    return;
-  }
-
-  const float clearance = kWallClearance * static_cast<float>(settings_.particle_spacing());
-  const std::array<float, 3> high{static_cast<float>(container_.size[0]) - clearance,
-                                  static_cast<float>(container_.size[1]) - clearance,
-                                  static_cast<float>(container_.size[2]) - clearance};
-  const auto seconds = static_cast<float>(length_.seconds);
+void FluidSimulation::move(StepContext& step) {
+  step.maxSpeed = checkedMaxSpeed(step);
+  if (!step.trouble.empty()) return;
+  const Walls walls(container_, discretisation_.spacing);
+  const auto seconds = static_cast<float>(step.seconds);
   const auto held = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
     Count part;
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
       Float4& x = state_.position[i];
       Float4& v = state_.velocity[i];
       x = {x.x + seconds * v.x, x.y + seconds * v.y, x.z + seconds * v.z, 0};
-      const bool heldX = hold(x.x, v.x, clearance, high[0]);
-      const bool heldY = hold(x.y, v.y, clearance, high[1]);
-      const bool heldZ = hold(x.z, v.z, clearance, high[2]);
-      if (heldX || heldY || heldZ) ++part.value;
+      part.value += walls.hold(x, v) ? 1 : 0;
     }
     return part;
   });
   wallContacts_ += held.value;
-  maxSpeed_ = fastest;
 }
 
 void FluidSimulation::sort() {
+  sortedInStep_ = true;
   std::swap(state_, previous_);
   grid_.sort(previous_.position, team_);
-  state_.resize(previous_.size());
-  state_.fluid.resize(previous_.fluid.size());
-  team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
-    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-      const std::uint32_t from = grid_.order()[i];
-      state_.position[i] = previous_.position[from];
-      state_.velocity[i] = previous_.velocity[from];
-      state_.densityImpulse[i] = previous_.densityImpulse[from];
-      state_.divergenceImpulse[i] = previous_.divergenceImpulse[from];
-      state_.id[i] = previous_.id[from];
-    }
-    if (!mixture_.several()) return;
-    for (std::size_t i = chunk.first; i < chunk.last; ++i) state_.fluid[i] = previous_.fluid[grid_.order()[i]];
+  state_.resizeLike(previous_);
+  team_.forEachChunk(state_.size(), [&](const Chunk& chunk) { state_.gather(previous_, grid_.order(), chunk); });
+}
+
+void FluidSimulation::findNeighbours(const StepContext&) {
+  lists_.find(grid_, state_.position, team_);
+  const auto pairs = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
+    Count part;
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) part.value += lists_.neighbours()[i];
+    return part;
   });
+  if (pairs.value > 0) {
+    freeFlight_.noteNeighbours();
+  } else {
+    freeFlight_.noteNone(grid_, state_.position, discretisation_.support, team_);
+  }
 }
 
 void FluidSimulation::takeBack() {
-  // A step fails before it moves anything: positions, pairs and densities still are those of the last good state.
-  team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
-    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-      const std::uint32_t from = grid_.order()[i];
-      state_.velocity[i] = previous_.velocity[from];
-      state_.densityImpulse[i] = previous_.densityImpulse[from];
-      state_.divergenceImpulse[i] = previous_.divergenceImpulse[from];
-    }
-  });
+  if (sortedInStep_) {
+    state_ = beginning_;
+    sort();
+    lists_.find(grid_, state_.position, team_);
+    lists_.addBoundary(boundary_, grid_, state_.position, team_);
+    return;
+  }
+  // The step failed before it moved anything: positions, pairs and densities still are those of the last good state.
+  team_.forEachChunk(state_.size(), [&](const Chunk& chunk) { state_.gather(previous_, grid_.order(), chunk); });
 }
 
-void FluidSimulation::computeFactors() {
-  factor_.resize(state_.size());
-  divergenceFactor_.resize(state_.size());
-  // Below this share of 1/H² there is no neighbour to push against.
-  const float least = 1e-6F / static_cast<float>(support_ * support_);
-  const Mobility mobility = mixture_.mobility(state_.fluid);
+void FluidSimulation::measureCompression() {
+  // The density that the solver works with, where it is not that of the pairs.
+  const bool own = !state_.compression.empty();
   const auto compression = team_.sumOverChunks<CompressionSum>(state_.size(), [&](const Chunk& chunk) {
     CompressionSum part;
-    if (mobility.fluid != nullptr) lists_.loops().weighSquares(lists_.chunk(chunk), mobility, factor_.data());
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-      const Float4& d = lists_.gradientSum()[i];
-      const float own = d.x * d.x + d.y * d.y + d.z * d.z;
-      const float denominator = mobility.fluid == nullptr ? own + lists_.gradientSquares()[i]  // 1/α_i [BK17]
-                                                          : mobility.ofFluid[state_.fluid[i]] * own + factor_[i];
-      factor_[i] = denominator > least ? 1 / denominator : 0;
-      divergenceFactor_[i] = lists_.neighbours()[i] >= kFullNeighbourhood ? factor_[i] : 0;
-      const float compressed = std::max(lists_.density()[i] - 1.0F, 0.0F);
+      const float compressed = std::max(own ? state_.compression[i] : lists_.density()[i] - 1.0F, 0.0F);
       part.sum += static_cast<double>(compressed);
       part.largest = std::max(part.largest, compressed);
     }
@@ -343,14 +263,15 @@ void FluidSimulation::computeFactors() {
 }
 
 void FluidSimulation::findBoundaryInReach() {
-  const double reach = support_ + kLargestMove * settings_.particle_spacing();
+  const double reach = discretisation_.support + kLargestMove * discretisation_.spacing;
   const auto near = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
     Count part;
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
       const Float4& x = state_.position[i];
       const auto nearFace = [&](double position, double size) { return position < reach || position > size - reach; };
       const auto& size = container_.size;
-      part.value += nearFace(x.x, size[0]) || nearFace(x.y, size[1]) || nearFace(x.z, size[2]) ? 1 : 0;
+      const bool nearInZ = !container_.plane && nearFace(x.z, size[2]);
+      part.value += nearFace(x.x, size[0]) || nearFace(x.y, size[1]) || nearInZ ? 1 : 0;
     }
     return part;
   });

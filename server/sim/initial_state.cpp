@@ -27,10 +27,6 @@ std::string blockPath(int fluid, int block) {
   return "simulation.fluids[" + std::to_string(fluid) + "].blocks[" + std::to_string(block) + "]";
 }
 
-// How far inside the container's faces a particle has to start, in spacings: a lattice one spacing from a face is at
-// rest. The remainder is for decimal fractions that are no floats.
-constexpr double kClearance = 0.99;
-
 constexpr char kAxes[] = "xyz";
 
 /// Throws where a block does not keep its distance from the container's faces.
@@ -51,6 +47,22 @@ void checkInside(const v1::Block& block, const std::string& path, const Containe
   }
 }
 
+/// Throws where a block of a planar scene is not one layer of particles in the plane of the first, moving within it.
+void checkPlanar(const v1::Block& block, const std::string& path, const Container& container) {
+  if (block.count_z() != 1) {
+    throw core::InputError("", path + ".count_z", "must be 1: the scene is planar");
+  }
+  if (block.first_particle().z() != container.origin[2] + *container.plane) {
+    std::ostringstream problem;
+    problem << "the scene is planar: z must be that of the first block, " << container.origin[2] + *container.plane
+            << " m";
+    throw core::InputError("", path + ".first_particle.z", problem.str());
+  }
+  if (block.velocity().z() != 0) {
+    throw core::InputError("", path + ".velocity.z", "must be 0: the scene is planar");
+  }
+}
+
 void checkCount(const v1::Simulation& simulation, std::uint64_t limit) {
   std::uint64_t total = 0;
   for (int f = 0; f < simulation.fluids_size(); ++f) {
@@ -67,21 +79,6 @@ void checkCount(const v1::Simulation& simulation, std::uint64_t limit) {
 
 }  // namespace
 
-Container containerOf(const v1::Simulation& simulation) {
-  const Triple low = toTriple(simulation.container().min());
-  const Triple high = toTriple(simulation.container().max());
-  Container container{low, {}};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    container.size[axis] = high[axis] - low[axis];
-    if (container.size[axis] >= 2 * kClearance * simulation.particle_spacing()) continue;
-    std::ostringstream problem;
-    problem << "the container is " << container.size[axis] << " m long in " << kAxes[axis]
-            << "; it must be at least two particle spacings, " << 2 * simulation.particle_spacing() << " m";
-    throw core::InputError("", "simulation.container.max", problem.str());
-  }
-  return container;
-}
-
 ParticleState initialState(const v1::Simulation& simulation, const Container& container, std::uint64_t particleLimit) {
   const double spacing = simulation.particle_spacing();
   checkCount(simulation, particleLimit);
@@ -91,6 +88,7 @@ ParticleState initialState(const v1::Simulation& simulation, const Container& co
     for (int b = 0; b < simulation.fluids(f).blocks_size(); ++b) {
       const v1::Block& block = simulation.fluids(f).blocks(b);
       checkInside(block, blockPath(f, b), container, spacing);
+      if (container.plane) checkPlanar(block, blockPath(f, b), container);
       const Triple first = toTriple(block.first_particle());
       const Float4 velocity{static_cast<float>(block.velocity().x()), static_cast<float>(block.velocity().y()),
                             static_cast<float>(block.velocity().z()), 0};
@@ -109,7 +107,8 @@ ParticleState initialState(const v1::Simulation& simulation, const Container& co
       if (simulation.fluids_size() > 1) state.fluid.resize(state.position.size(), static_cast<std::uint8_t>(f));
     }
   }
-  state.resize(state.position.size());
+  state.densityImpulse.resize(state.size());
+  state.id.resize(state.size());
   for (std::uint32_t i = 0; i < state.size(); ++i) state.id[i] = i;
   return state;
 }

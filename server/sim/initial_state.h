@@ -1,24 +1,17 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <string>
 
+#include "container.h"
 #include "particles.h"
 #include "sluice/v1/scene.pb.h"
 
 namespace sluice::sim {
 
-/// The container with its lower corner as the origin of the particles' coordinates.
-struct Container {
-  std::array<double, 3> origin{};  ///< m, in the scene's coordinates.
-  std::array<double, 3> size{};    ///< m.
-};
-
-/// Throws core::InputError where the box is empty or narrower than two spacings.
-Container containerOf(const v1::Simulation& simulation);
-
 /// The particles of all blocks, in the order of the blocks, x fastest. Throws core::InputError where a block does not
-/// stand inside the container with a spacing to its faces, or there are more particles than `particleLimit`.
+/// stand inside the container with a spacing to its faces or, in a planar scene, not in its plane, or there are more
+/// particles than `particleLimit`.
 ParticleState initialState(const v1::Simulation& simulation, const Container& container, std::uint64_t particleLimit);
 
 /// Name of the block that a particle comes from, as a field path ("simulation.fluids[0].blocks[1]").

@@ -4,15 +4,20 @@
 
 namespace sluice::sim {
 
-/// Σ_j d³ W(|x_ij|) over an infinite cubic lattice of spacing d, the particle itself included. It is 1 only by chance
-/// (cubic spline, H = 2d); the rest state is right when a particle's volume is d³ divided by this.
-double latticeDensity(KernelKind kernel, double spacing, double support);
+/// Σ_j d^D W(|x_ij|) over an infinite cubic (square) lattice of spacing d in D = 3 (2) dimensions, the particle itself
+/// included. It is 1 only by chance (cubic spline, H = 2d); the rest state is right when a particle's volume is d^D
+/// divided by this.
+double latticeDensity(KernelKind kernel, double spacing, double support, int dimensions = 3);
 
-/// Volume that a particle represents, m³: d³ divided by the lattice density, so that a lattice at rest has exactly the
-/// rest density ("self-consistent mass").
-double particleVolume(KernelKind kernel, double spacing, double support);
+/// Volume that a particle represents, m³ (m² in two dimensions): d^D divided by the lattice density, so that a lattice
+/// at rest has exactly the rest density ("self-consistent mass").
+double particleVolume(KernelKind kernel, double spacing, double support, int dimensions = 3);
 
 /// Normalised density, without any boundary, in the lowest layer of a lattice that fills a half-space.
-double halfSpaceDensity(KernelKind kernel, double spacing, double support);
+double halfSpaceDensity(KernelKind kernel, double spacing, double support, int dimensions = 3);
+
+/// The largest eigenvalue of the pressure operator D Dᵀ (see JacobiSolve) on a lattice, over its diagonal: relaxed
+/// Jacobi iteration converges for relaxations below 2 divided by this.
+double pressureStiffness(KernelKind kernel, double spacing, double support, int dimensions = 3);
 
 }  // namespace sluice::sim

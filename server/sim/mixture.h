@@ -25,6 +25,7 @@ class Mixture {
 
   const std::vector<double>& restDensities() const { return restDensities_; }  ///< kg/m³.
   double heaviest() const;                                                     ///< ρ_max, kg/m³.
+  double lightest() const;                                                     ///< kg/m³.
   double densityRatio() const;                                                 ///< Heaviest over lightest.
 
   /// w of particles of the given fluids; of none where all fluids weigh the same.
@@ -33,7 +34,13 @@ class Mixture {
   /// Friction between particles of the given fluids over `seconds`. Per pair of fluids it acts with the harmonic mean
   /// of the dynamic viscosities μ = ν ρ0, which makes the shear stress the same on both sides of where they meet
   /// [Hu & Adams 2006]; a fluid without viscosity slides along any other.
-  PairFriction friction(const std::vector<std::uint8_t>& fluid, double seconds) const;
+  PairStrength friction(const std::vector<std::uint8_t>& fluid, double seconds) const;
+
+  /// Strength between particles of one fluid, none between those of different ones.
+  PairStrength withinFluids(const std::vector<std::uint8_t>& fluid, double strength) const;
+
+  /// Likewise, in inverse proportion to the fluid's rest density: accelerations by one force per volume.
+  PairStrength withinFluidsByDensity(const std::vector<std::uint8_t>& fluid, double force) const;
 
   /// The largest kinematic viscosity that acts on any particle, m²/s: up to twice a fluid's own where a light fluid
   /// meets a heavy, viscous one.
@@ -46,6 +53,7 @@ class Mixture {
   /// μ_ab/ρ0_a, m²/s: what a particle of fluid `a` feels of one of fluid `b`.
   double felt(std::size_t a, std::size_t b) const;
 
+  double viscousFactor_;  ///< 2(D + 2).
   std::vector<double> restDensities_;
   std::vector<double> viscosities_;
 };

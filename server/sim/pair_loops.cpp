@@ -4,9 +4,12 @@
 
 namespace sluice::sim {
 
-PairScale::PairScale(KernelKind kind, double supportRadius, double volume) : kernel(kind) {
-  withKernel(kind, [&]<class Kernel>(Kernel) {
-    const double perVolume = Kernel::kNormalisation / (supportRadius * supportRadius * supportRadius);
+PairScale::PairScale(const Discretisation& discretisation) : kernel(discretisation.kernel) {
+  const double supportRadius = discretisation.support;
+  const double volume = discretisation.volume;
+  withKernel(kernel, [&]<class Kernel>(Kernel) {
+    const double perVolume =
+        Kernel::normalisation(discretisation.dimensions) / supportPower(supportRadius, discretisation.dimensions);
     support = static_cast<float>(supportRadius);
     value = static_cast<float>(volume * perVolume);
     slope = static_cast<float>(volume * perVolume / supportRadius);

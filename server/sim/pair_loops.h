@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel.h"
+#include "discretisation.h"
 #include "particles.h"
 
 namespace sluice::sim {
@@ -29,7 +29,7 @@ static_assert(sizeof(PairGroup) == 48);
 /// Constants of a kernel, support and particle volume.
 struct PairScale {
   PairScale() = default;
-  PairScale(KernelKind kernel, double supportRadius, double volume);
+  explicit PairScale(const Discretisation& discretisation);
 
   KernelKind kernel = KernelKind::CubicSpline;
   float support = 0;         ///< H, m.
@@ -80,10 +80,23 @@ struct Mobility {
   std::array<float, kMostFluids> ofFluid{};
 };
 
-/// Strength of the friction that a particle of one fluid (first index) feels of one of another, m².
-struct PairFriction {
+/// How strongly a particle of one fluid (first index) feels one of another.
+struct PairStrength {
   const std::uint8_t* fluid = nullptr;  ///< Array over all particles; null where strength[0][0] is that of all pairs.
   std::array<std::array<float, kMostFluids>, kMostFluids> strength{};
+};
+
+/// Cohesion and the evening out of normals, Akinci et al. 2013.
+struct Cohesion {
+  PairStrength strength;  ///< Change of velocity at a cohesion of 1, m/s.
+  float curvature = 0;    ///< Change of velocity at a difference of normals of 1, over that.
+};
+
+/// Exchange of spin and velocity in a micropolar fluid.
+struct SpinExchange {
+  float transfer = 0;   ///< ν_t dt, m².
+  float spinUp = 0;     ///< Θ⁻¹ ν_t dt.
+  float smoothing = 0;  ///< ζ.
 };
 
 /// What a chunk contributes to the error of a pressure solve.
@@ -122,15 +135,40 @@ struct PairLoops {
   void (*applyImpulses)(const PairList&, const Mobility&, const Float4* impulse, const Float4* gradientSum,
                         const Float4* velocity, Float4* result);
 
-  /// One relaxed Jacobi step of κ towards a density rate (D u)_i = u_i·D_i - Σ_j u_j·V ∇W_ij of at most
+  /// One Jacobi step of κ, relaxed by ω, towards a density rate (D u)_i = u_i·D_i - Σ_j u_j·V ∇W_ij of at most
   /// (1 - ρ̃_i)/`seconds`, or of at most 0 where `density` is null. Particles of factor 0 keep κ = 0. Returns the error
   /// before the step: the excess of the rate times `seconds`.
   SolveError (*relaxImpulses)(const PairList&, const Float4* velocity, const Float4* gradientSum, const float* factor,
-                              const float* density, float seconds, Float4* impulse);
+                              const float* density, float seconds, float relaxation, Float4* impulse);
 
-  /// result_i = v_i + Σ_j strength_ij (v_ij·V∇W_ij) x_ij / (|x_ij|² + 0.01 H²).
-  void (*applyViscosity)(const PairList&, const PairScale&, const PairFriction&, const Float4* position,
+  /// rate_i = (D u)_i, 1/s: how fast the normalised density of a particle grows.
+  void (*densityRate)(const PairList&, const Float4* velocity, const Float4* gradientSum, float* rate);
+
+  /// result_i = Σ_j strength_ij (a_i - a_j) (x_ij·V∇W_ij) / (|x_ij|² + 0.01 H²), with a in the fourth lane of the
+  /// positions.
+  void (*diffuse)(const PairList&, const PairScale&, const PairStrength&, const Float4* positionAndValue,
+                  float* result);
+
+  /// result_i = Σ_j y_j V ∇W_ij, with y in all four lanes of a Float4.
+  void (*weightedGradient)(const PairList&, const Float4* weight, Float4* result);
+
+  /// result_i = v_i + Σ_j strength_ij (v_ij·V∇W_ij) x_ij / (|x_ij|² + 0.01 H²); strengths in m².
+  void (*applyViscosity)(const PairList&, const PairScale&, const PairStrength&, const Float4* position,
                          const Float4* velocity, Float4* result);
+
+  /// The 3×3 matrices Σ_j strength_ij x_ij V∇W_ijᵀ / (|x_ij|² + 0.01 H²), three columns for each particle.
+  void (*viscosityBlocks)(const PairList&, const PairScale&, const PairStrength&, const Float4* position,
+                          Float4* columns);
+
+  /// result_i = v_i - Σ_j strength_ij K_ij [C(|x_ij|) x_ij/|x_ij| + curvature (n_i - n_j)], K_ij = 2/(ρ̃_i + ρ̃_j), with
+  /// ρ̃ in the fourth lane of the positions. C(qH) = (1-q)³q³ for q > ½, 2(1-q)³q³ - 1/64 below.
+  void (*cohere)(const PairList&, const PairScale&, const Cohesion&, const Float4* positionAndDensity,
+                 const Float4* normal, const Float4* velocity, Float4* result);
+
+  /// v_i - ν_t dt Σ_j (ω_i + ω_j) × V∇W_ij, and
+  /// (ω_i + Θ⁻¹ν_t dt Σ_j (v_i - v_j) × V∇W_ij - ζ Σ_j V W_ij (ω_i - ω_j)) / (1 + 2 Θ⁻¹ν_t dt).
+  void (*exchangeSpin)(const PairList&, const PairScale&, const SpinExchange&, const Float4* position,
+                       const Float4* velocity, const Float4* spin, Float4* velocityResult, Float4* spinResult);
 };
 
 /// The fastest loops that this machine can run.

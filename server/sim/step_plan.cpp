@@ -20,14 +20,23 @@ const std::vector<StageDescription>& descriptions() {
   static const std::vector<StageDescription> all{
       {Stage::TimeStep, "time step", {"velocities"}, {"time step"}},
       {Stage::DivergenceSolve, "divergence solve", {"pairs", "factors"}, {"velocities", "divergence impulses"}},
+      {Stage::SurfaceTension, "surface tension", {"pairs", "positions", "densities"}, {"velocities"}},
+      {Stage::Micropolar, "micropolar", {"pairs", "positions", "spins"}, {"velocities", "spins"}},
       {Stage::Viscosity, "viscosity", {"pairs", "positions"}, {"velocities"}},
+      {Stage::ImplicitViscosity, "implicit viscosity", {"pairs", "positions"}, {"velocities"}},
       {Stage::Gravity, "gravity", {}, {"velocities"}},
       {Stage::DensitySolve, "density solve", {"pairs", "densities", "factors"}, {"velocities", "density impulses"}},
+      {Stage::EquationOfState, "equation of state", {"pairs", "compressions"}, {"velocities", "compressions"}},
       {Stage::Move, "move", {"velocities"}, {"positions"}},
       {Stage::Sort, "sort", {"positions"}, {"cells", "order of the particles"}},
       {Stage::Neighbours, "neighbours", {"positions", "cells"}, {"pairs", "densities", "gradient sums"}},
       {Stage::Boundary, "boundary", {"positions", "boundary particles"}, {"densities", "gradient sums"}},
-      {Stage::Factors, "factors", {"gradient sums", "densities"}, {"factors", "density error"}},
+      {Stage::PositionSolve,
+       "position solve",
+       {"pairs", "densities"},
+       {"positions", "velocities", "pairs", "densities"}},
+      {Stage::Factors, "factors", {"gradient sums"}, {"factors"}},
+      {Stage::DensityError, "density error", {"densities"}, {"density error"}},
   };
   return all;
 }
@@ -43,21 +52,74 @@ bool isZero(const v1::Vec3& v) { return v.x() == 0 && v.y() == 0 && v.z() == 0; 
 
 bool isViscous(const v1::Fluid& fluid) { return fluid.viscosity() > 0; }
 
+/// Whether a stage is one of the methods that the scene has chosen.
+bool belongs(Stage stage, const v1::Simulation& simulation, const StepTraits& traits) {
+  const auto solver = simulation.pressure_solver_case();
+  const bool dfsph = solver == v1::Simulation::kDfsph || solver == v1::Simulation::PRESSURE_SOLVER_NOT_SET;
+  const bool iisph = solver == v1::Simulation::kIisph;
+  switch (stage) {
+    case Stage::DivergenceSolve:
+      return dfsph;
+    case Stage::DensitySolve:
+    case Stage::Factors:
+      return dfsph || iisph;
+    case Stage::EquationOfState:
+      return solver == v1::Simulation::kWcsph;
+    case Stage::PositionSolve:
+      return solver == v1::Simulation::kPbf;
+    case Stage::Viscosity:
+      return !traits.implicitViscosity;
+    case Stage::ImplicitViscosity:
+      return traits.implicitViscosity;
+    default:
+      return true;
+  }
+}
+
+/// Stages over pairs, none of which there is in free flight. A micropolar fluid's spins decay even then.
+bool isOverPairs(Stage stage) {
+  switch (stage) {
+    case Stage::TimeStep:
+    case Stage::Micropolar:
+    case Stage::Gravity:
+    case Stage::Move:
+    case Stage::Sort:
+    case Stage::DensityError:
+      return false;
+    default:
+      return true;
+  }
+}
+
 /// Why a stage has nothing to do; empty when it has.
 std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation, const StepTraits& traits) {
   if (traits.particles == 0) return "there are no particles";
   switch (stage) {
     case Stage::DivergenceSolve:
-      return simulation.dfsph().divergence_solve() ? "" : "switched off";
+      if (!simulation.dfsph().divergence_solve()) return "switched off";
+      break;
+    case Stage::SurfaceTension:
+      if (!simulation.has_surface_tension()) return "not asked for";
+      if (simulation.surface_tension().tension() == 0) return "the tension is 0";
+      break;
+    case Stage::Micropolar:
+      if (!simulation.has_micropolar()) return "not asked for";
+      if (simulation.micropolar().transfer() == 0) return "the transfer is 0";
+      break;
     case Stage::Viscosity:
-      return std::ranges::any_of(simulation.fluids(), isViscous) ? "" : "the viscosity is 0";
+    case Stage::ImplicitViscosity:
+      if (std::ranges::none_of(simulation.fluids(), isViscous)) return "the viscosity is 0";
+      break;
     case Stage::Gravity:
-      return isZero(simulation.gravity()) ? "gravity is 0" : "";
+      if (isZero(simulation.gravity())) return "gravity is 0";
+      break;
     case Stage::Boundary:
-      return traits.boundaryInReach ? "" : "no particle is near the container";
+      if (!traits.boundaryInReach) return "no particle is near the container";
+      break;
     default:
-      return "";
+      break;
   }
+  return traits.freeFlight && isOverPairs(stage) ? "no particle can meet another in this step" : "";
 }
 
 }  // namespace
@@ -69,6 +131,7 @@ bool StepPlan::contains(Stage stage) const { return std::find(stages.begin(), st
 StepPlan planStep(const v1::Simulation& simulation, const StepTraits& traits) {
   StepPlan plan;
   for (const StageDescription& description : descriptions()) {
+    if (!belongs(description.stage, simulation, traits)) continue;
     const std::string_view reason = reasonToLeaveOut(description.stage, simulation, traits);
     if (reason.empty()) {
       plan.stages.push_back(description.stage);

@@ -1,21 +1,50 @@
 #include "time_step.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace sluice::sim {
 
+ViscosityChoice viscosityChoiceOf(const v1::Simulation& simulation) {
+  if (simulation.has_explicit_viscosity()) return ViscosityChoice::Explicit;
+  if (simulation.has_implicit_viscosity()) return ViscosityChoice::Implicit;
+  return ViscosityChoice::Automatic;
+}
+
 TimeStepChoice chooseTimeStep(const v1::TimeStep& settings, const TimeStepInputs& inputs) {
-  TimeStepChoice choice{settings.max_seconds(), "max_seconds"};
+  TimeStepChoice choice{settings.max_seconds(), "max_seconds", false};
   const auto bound = [&](double seconds, std::string_view limit) {
-    if (seconds < choice.seconds) choice = {seconds, limit};
+    if (seconds < choice.seconds) choice = {seconds, limit, false};
   };
   const double smoothingLength = inputs.support / 2;
 
   if (inputs.maxSpeed > 0) bound(settings.cfl() * inputs.spacing / inputs.maxSpeed, "cfl");
   // Force and viscous bounds of explicit SPH, Monaghan 1992 and Morris et al. 1997.
-  if (inputs.gravity > 0) bound(0.25 * std::sqrt(smoothingLength / inputs.gravity), "gravity");
-  if (inputs.viscosity > 0) bound(0.125 * smoothingLength * smoothingLength / inputs.viscosity, "viscosity");
+  if (inputs.acceleration > 0) bound(0.25 * std::sqrt(smoothingLength / inputs.acceleration), "force");
+  // Capillary waves of the shortest length must not cross a smoothing length in one step, Brackbill et al. 1992.
+  if (inputs.kinematicTension > 0) {
+    const double cube = smoothingLength * smoothingLength * smoothingLength;
+    bound(0.25 * std::sqrt(cube / (2 * std::numbers::pi * inputs.kinematicTension)), "surface tension");
+  }
+  if (inputs.speedOfSound > 0) {
+    bound(inputs.courant * smoothingLength / (inputs.speedOfSound + inputs.maxSpeed), "sound");
+  }
   bound(inputs.recovery, "recovery");
+
+  if (inputs.viscosity > 0) {
+    const double stable = 0.125 * smoothingLength * smoothingLength / inputs.viscosity;
+    switch (inputs.viscosityChoice) {
+      case ViscosityChoice::Automatic:
+        choice.implicitViscosity = choice.seconds > stable;
+        break;
+      case ViscosityChoice::Explicit:
+        bound(stable, "viscosity");
+        break;
+      case ViscosityChoice::Implicit:
+        choice.implicitViscosity = true;
+        break;
+    }
+  }
   return choice;
 }
 

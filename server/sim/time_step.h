@@ -7,20 +7,31 @@
 
 namespace sluice::sim {
 
+/// How the scene wants viscosity to be treated.
+enum class ViscosityChoice { Automatic, Explicit, Implicit };
+
+ViscosityChoice viscosityChoiceOf(const v1::Simulation& simulation);
+
 /// What bounds the length of the next step.
 struct TimeStepInputs {
-  double spacing = 0;    ///< d, m.
-  double support = 0;    ///< H, m.
-  double maxSpeed = 0;   ///< max |v|, m/s.
-  double gravity = 0;    ///< |g|, m/s².
-  double viscosity = 0;  ///< ν of the explicit viscosity stage, m²/s; 0 where it does not run.
+  double spacing = 0;           ///< d, m.
+  double support = 0;           ///< H, m.
+  double maxSpeed = 0;          ///< max |v|, m/s.
+  double acceleration = 0;      ///< Largest of gravity and explicit pressure forces, m/s².
+  double viscosity = 0;         ///< ν, m²/s; 0 where no viscosity stage runs.
+  double kinematicTension = 0;  ///< σ/ρ0 of the lightest fluid, m³/s²; 0 where there is no surface tension.
+  double speedOfSound = 0;      ///< c0, m/s; 0 where pressure acts at once.
+  double courant = 0.25;        ///< Smoothing lengths that sound may cross.
+  ViscosityChoice viscosityChoice = ViscosityChoice::Automatic;
   /// Bound left by a step that had to be taken back, s.
   double recovery = std::numeric_limits<double>::infinity();
 };
 
 struct TimeStepChoice {
   double seconds = 0;
-  std::string_view limit;  ///< "max_seconds", "cfl", "gravity", "viscosity" or "recovery".
+  /// "max_seconds", "cfl", "force", "surface tension", "sound", "recovery" or "viscosity".
+  std::string_view limit;
+  bool implicitViscosity = false;
 };
 
 /// The smallest of the bounds that apply; `min_seconds` is for the caller to hold against it.

@@ -15,15 +15,16 @@ constexpr double kSpacing = 0.05;
 constexpr double kSupport = 0.1;
 
 BoxBoundary boxOf(const std::array<double, 3>& size) {
-  const double volume = particleVolume(KernelKind::CubicSpline, kSpacing, kSupport);
-  return {size,   kSpacing, kSupport, KernelKind::CubicSpline, volume, CellGeometry::covering(size, kSupport, 1 << 16),
+  return {{{}, size, {}},
+          {3, KernelKind::CubicSpline, kSpacing, kSupport, particleVolume(KernelKind::CubicSpline, kSpacing, kSupport)},
+          CellGeometry::covering(size, kSupport, 1 << 16),
           Team(1)};
 }
 
 TEST(BoxBoundary, CoversTheFacesAndNothingElse) {
   const std::array<double, 3> size{0.5, 0.7, 0.62};
   const BoxBoundary box = boxOf(size);
-  EXPECT_EQ(static_cast<double>(box.size()), BoxBoundary::expectedCount(size, kSpacing));
+  EXPECT_EQ(static_cast<double>(box.size()), BoxBoundary::expectedCount({{}, size, {}}, kSpacing, kSupport));
   // 10 × 14 × 13 intervals.
   EXPECT_EQ(box.size(), 11U * 15 * 14 - 9U * 13 * 12);
   for (const Float4& p : box.points()) {
@@ -31,6 +32,24 @@ TEST(BoxBoundary, CoversTheFacesAndNothingElse) {
       return std::abs(x) < 1e-6 || std::abs(x - static_cast<float>(length)) < 1e-6;
     };
     EXPECT_TRUE(onFace(p.x, size[0]) || onFace(p.y, size[1]) || onFace(p.z, size[2]));
+  }
+}
+
+TEST(BoxBoundary, WideSupportsHaveWallsOfSeveralLayers) {
+  const Container container{{}, {0.5, 0.5, 0.5}, {}};
+  for (const int layers : {1, 2, 3}) {
+    const double support = (layers + 1) * kSpacing;
+    const BoxBoundary box(
+        container,
+        {3, KernelKind::WendlandC2, kSpacing, support, particleVolume(KernelKind::WendlandC2, kSpacing, support)},
+        CellGeometry::covering(container.size, support, 1 << 16), Team(1));
+    const int across = 9 + 2 * layers;
+    EXPECT_EQ(box.size(), static_cast<std::size_t>(across * across * across - 9 * 9 * 9));
+    EXPECT_EQ(BoxBoundary::expectedCount(container, kSpacing, support), static_cast<double>(box.size()));
+    for (const Float4& p : box.points()) {
+      const auto within = [](float x) { return x > 0.001F && x < 0.499F; };
+      ASSERT_FALSE(within(p.x) && within(p.y) && within(p.z));
+    }
   }
 }
 

@@ -237,6 +237,7 @@ TEST(Fluids, EachIsBrakedByItsOwnViscosity) {
 
 TEST(Fluids, ViscositiesChangeWhileItRuns) {
   v1::Simulation settings = collidingFluids(10);
+  settings.mutable_explicit_viscosity();
   FluidSimulation simulation(settings);
   settings.mutable_fluids(1)->set_viscosity(3);
   simulation.update(sceneOf(settings));

@@ -37,7 +37,7 @@ TEST(Mixture, FluidsThatWeighTheSameNeedNoMobilities) {
 }
 
 TEST(Mixture, FrictionBetweenFluidsIsTheSameForBoth) {
-  const PairFriction friction = mixtureOf({{800, 0.02}, {2000, 0.3}}).friction(kIndices, 0.001);
+  const PairStrength friction = mixtureOf({{800, 0.02}, {2000, 0.3}}).friction(kIndices, 0.001);
   // Force per volume: acceleration times rest density.
   EXPECT_FLOAT_EQ(800 * friction.strength[0][1], 2000 * friction.strength[1][0]);
   // The harmonic mean of 16 and 600 Pa s.
@@ -46,7 +46,7 @@ TEST(Mixture, FrictionBetweenFluidsIsTheSameForBoth) {
 }
 
 TEST(Mixture, AFluidWithoutViscositySlidesAlongAnyOther) {
-  const PairFriction friction = mixtureOf({{1000, 0}, {1000, 1}}).friction(kIndices, 0.001);
+  const PairStrength friction = mixtureOf({{1000, 0}, {1000, 1}}).friction(kIndices, 0.001);
   EXPECT_EQ(friction.strength[0][1], 0);
   EXPECT_EQ(friction.strength[1][0], 0);
   EXPECT_GT(friction.strength[1][1], 0);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "lattice.h"
 
@@ -41,7 +42,7 @@ struct Cloud {
 };
 
 const double kVolume = particleVolume(KernelKind::CubicSpline, kSpacing, kSupport);
-const PairScale kScale(KernelKind::CubicSpline, kSupport, kVolume);
+const PairScale kScale({3, KernelKind::CubicSpline, kSpacing, kSupport, kVolume});
 
 NeighbourLists listsOf(const Cloud& cloud, const PairLoops& loops, int threads = 1) {
   NeighbourLists lists(loops, kScale);
@@ -126,7 +127,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
 struct TwoFluids {
   std::vector<std::uint8_t> fluid;
   Mobility mobility;
-  PairFriction friction;
+  PairStrength friction;
 
   TwoFluids(std::size_t particles, bool several) {
     for (std::size_t i = 0; i < particles; ++i) fluid.push_back(i / 3 % 2);
@@ -151,19 +152,26 @@ void expectTheSameBitsOfAllInstructionSets(bool severalFluids) {
     impulse[i] = {k, k, k, k};
   }
   const std::vector<float> factor(particles, 1e-3F);
+  std::vector<Float4> places = cloud.positions;
+  for (std::size_t i = 0; i < particles; ++i) places[i].w = 1 + impulse[i].x;
   const TwoFluids fluids(particles, severalFluids);
   const auto& [fluid, mobility, friction] = fluids;
 
   struct Results {
+    explicit Results(NeighbourLists found) : lists(std::move(found)) {}
+
     NeighbourLists lists;
-    std::vector<Float4> moved, impulse, viscous;
-    std::vector<float> squares;
+    std::vector<Float4> moved, impulse, viscous, gradient, blocks, coherent, turned, spin;
+    std::vector<float> squares, rate, diffusion;
     double error = 0;
   };
   std::vector<Results> results;
   for (const PairLoops* loops : availablePairLoops()) {
-    Results r{listsOf(cloud, *loops), std::vector<Float4>(particles), impulse, std::vector<Float4>(particles),
-              std::vector<float>(particles)};
+    Results r(listsOf(cloud, *loops));
+    r.impulse = impulse;
+    for (auto* values : {&r.moved, &r.viscous, &r.gradient, &r.coherent, &r.turned, &r.spin}) values->resize(particles);
+    r.blocks.resize(3 * particles);
+    for (auto* values : {&r.squares, &r.rate, &r.diffusion}) values->resize(particles);
     Team(1).forEachChunk(particles, [&](const Chunk& chunk) {
       const PairList list = r.lists.chunk(chunk);
       if (severalFluids) loops->weighSquares(list, mobility, r.squares.data());
@@ -171,9 +179,16 @@ void expectTheSameBitsOfAllInstructionSets(bool severalFluids) {
                            r.moved.data());
       r.error += loops
                      ->relaxImpulses(list, velocity.data(), r.lists.gradientSum().data(), factor.data(),
-                                     r.lists.density().data(), 0.002F, r.impulse.data())
+                                     r.lists.density().data(), 0.002F, 0.5F, r.impulse.data())
                      .sum;
       loops->applyViscosity(list, kScale, friction, cloud.positions.data(), velocity.data(), r.viscous.data());
+      loops->densityRate(list, velocity.data(), r.lists.gradientSum().data(), r.rate.data());
+      loops->weightedGradient(list, impulse.data(), r.gradient.data());
+      loops->diffuse(list, kScale, friction, places.data(), r.diffusion.data());
+      loops->viscosityBlocks(list, kScale, friction, cloud.positions.data(), r.blocks.data());
+      loops->cohere(list, kScale, {friction, 0.1F}, places.data(), velocity.data(), velocity.data(), r.coherent.data());
+      loops->exchangeSpin(list, kScale, {1e-4F, 0.1F, 0.2F}, cloud.positions.data(), velocity.data(), velocity.data(),
+                          r.turned.data(), r.spin.data());
     });
     results.push_back(std::move(r));
   }
@@ -187,6 +202,13 @@ void expectTheSameBitsOfAllInstructionSets(bool severalFluids) {
     EXPECT_TRUE(sameBits(r.moved, results.front().moved));
     EXPECT_TRUE(sameBits(r.impulse, results.front().impulse));
     EXPECT_TRUE(sameBits(r.viscous, results.front().viscous));
+    EXPECT_TRUE(sameBits(r.rate, results.front().rate));
+    EXPECT_TRUE(sameBits(r.gradient, results.front().gradient));
+    EXPECT_TRUE(sameBits(r.diffusion, results.front().diffusion));
+    EXPECT_TRUE(sameBits(r.blocks, results.front().blocks));
+    EXPECT_TRUE(sameBits(r.coherent, results.front().coherent));
+    EXPECT_TRUE(sameBits(r.turned, results.front().turned));
+    EXPECT_TRUE(sameBits(r.spin, results.front().spin));
     EXPECT_EQ(r.error, results.front().error);
   }
 }
@@ -236,6 +258,76 @@ TEST(PairLoops, FluidsWeighAsTheirTablesSay) {
     EXPECT_NEAR(squares[i], square, 1e-5 * square);
     EXPECT_LT((vector(moved[i]) - (vector(velocity[i]) - push)).norm(), 1e-5 * (1 + push.norm()));
     EXPECT_LT((vector(viscous[i]) - (vector(velocity[i]) + drag)).norm(), 1e-5 * (1 + drag.norm()));
+  }
+}
+
+// The loops of the other solvers and forces against sums written out pair by pair.
+TEST(PairLoops, OfForcesMatchSumsOverPairs) {
+  const Cloud cloud;
+  const std::size_t particles = cloud.positions.size();
+  const NeighbourLists lists = listsOf(cloud, bestPairLoops());
+  const auto pairs = pairsOf(lists, particles);
+  const TwoFluids fluids(particles, true);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> value(-1, 1);
+  std::vector<Float4> velocity(particles), normal(particles), spin(particles), places = cloud.positions;
+  for (std::size_t i = 0; i < particles; ++i) {
+    velocity[i] = {value(random), value(random), value(random), 0};
+    normal[i] = {value(random), value(random), value(random), 0};
+    spin[i] = {value(random), value(random), value(random), 0};
+    places[i].w = 1.5F + value(random);
+  }
+  constexpr float kCurvature = 0.2F;
+  constexpr SpinExchange kExchange{1e-4F, 0.1F, 0.2F};
+  std::vector<Float4> blocks(3 * particles), coherent(particles), turned(particles), spun(particles);
+  std::vector<float> rate(particles), diffusion(particles);
+  for (std::size_t c = 0; c < chunkCount(particles); ++c) {
+    const PairList list = lists.chunk({c, c * kChunk, std::min((c + 1) * kChunk, particles)});
+    lists.loops().densityRate(list, velocity.data(), lists.gradientSum().data(), rate.data());
+    lists.loops().diffuse(list, kScale, fluids.friction, places.data(), diffusion.data());
+    lists.loops().viscosityBlocks(list, kScale, fluids.friction, cloud.positions.data(), blocks.data());
+    lists.loops().cohere(list, kScale, {fluids.friction, kCurvature}, places.data(), normal.data(), velocity.data(),
+                         coherent.data());
+    lists.loops().exchangeSpin(list, kScale, kExchange, cloud.positions.data(), velocity.data(), spin.data(),
+                               turned.data(), spun.data());
+  }
+  const auto vector = [](const Float4& v) { return Eigen::Vector3d(v.x, v.y, v.z); };
+  for (std::uint32_t i = 0; i < particles; ++i) {
+    double densityRate = 0;
+    double spread = 0;
+    Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+    Eigen::Vector3d push = Eigen::Vector3d::Zero();
+    Eigen::Vector3d curl = Eigen::Vector3d::Zero();
+    Eigen::Vector3d unlike = Eigen::Vector3d::Zero();
+    for (const auto& [j, quanta] : pairs[i]) {
+      const Eigen::Vector3d gradient = kScale.quantum * Eigen::Vector3d(quanta[0], quanta[1], quanta[2]);
+      const Eigen::Vector3d xij = vector(cloud.positions[i]) - vector(cloud.positions[j]);
+      const Eigen::Vector3d vij = vector(velocity[i]) - vector(velocity[j]);
+      const double strength = fluids.friction.strength[fluids.fluid[i]][fluids.fluid[j]];
+      const double softened = xij.squaredNorm() + 0.01 * kSupport * kSupport;
+      const double distance = xij.norm();
+      const double q = distance / kSupport;
+      densityRate += vij.dot(gradient);
+      spread += strength * (places[i].w - places[j].w) * xij.dot(gradient) / softened;
+      block += strength * xij * gradient.transpose() / softened;
+      const double cubed = std::pow((1 - q) * q, 3);
+      const double attraction = q > 0.5 ? cubed : 2 * cubed - 1.0 / 64;
+      if (distance > 0) pull += strength * 2 / (places[i].w + places[j].w) * attraction * xij / distance;
+      pull += strength * 2 / (places[i].w + places[j].w) * kCurvature * (vector(normal[i]) - vector(normal[j]));
+      push += (vector(spin[i]) + vector(spin[j])).cross(gradient);
+      curl += vij.cross(gradient);
+      unlike += kVolume * kernelValue<CubicSpline>(distance, kSupport) * (vector(spin[i]) - vector(spin[j]));
+    }
+    EXPECT_NEAR(rate[i], densityRate, 1e-4 * (1 + std::abs(densityRate)));
+    EXPECT_NEAR(diffusion[i], spread, 1e-5 * (1 + std::abs(spread)));
+    for (int column = 0; column < 3; ++column) {
+      EXPECT_LT((vector(blocks[3 * i + column]) - block.col(column)).norm(), 1e-5 * (1 + block.norm()));
+    }
+    EXPECT_LT((vector(coherent[i]) - (vector(velocity[i]) - pull)).norm(), 1e-5);
+    EXPECT_LT((vector(turned[i]) - (vector(velocity[i]) - 1e-4 * push)).norm(), 1e-5);
+    const Eigen::Vector3d expectedSpin = (vector(spin[i]) + 0.1 * curl - 0.2 * unlike) / 1.2;
+    EXPECT_LT((vector(spun[i]) - expectedSpin).norm(), 1e-4 * (1 + expectedSpin.norm()));
   }
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 constexpr StepTraits kNearWall{.particles = 100, .boundaryInReach = true};
 
@@ -20,8 +19,9 @@ TEST(StepPlan, RunsEveryStageOfAFullScene) {
   const StepPlan plan = planStep(smallDamBreak(), kNearWall);
   EXPECT_THAT(plan.stages, ElementsAre(Stage::TimeStep, Stage::DivergenceSolve, Stage::Viscosity, Stage::Gravity,
                                        Stage::DensitySolve, Stage::Move, Stage::Sort, Stage::Neighbours,
-                                       Stage::Boundary, Stage::Factors));
-  EXPECT_THAT(plan.leftOut, IsEmpty());
+                                       Stage::Boundary, Stage::Factors, Stage::DensityError));
+  EXPECT_THAT(plan.leftOut, ElementsAre(core::LeftOut{"surface tension", "not asked for"},
+                                        core::LeftOut{"micropolar", "not asked for"}));
 }
 
 TEST(StepPlan, LeavesOutWhatASceneDoesNotNeed) {
@@ -29,11 +29,13 @@ TEST(StepPlan, LeavesOutWhatASceneDoesNotNeed) {
   still.mutable_dfsph()->set_divergence_solve(false);
   const StepPlan plan = planStep(still, {.particles = 64, .boundaryInReach = false});
   EXPECT_THAT(plan.stages, ElementsAre(Stage::TimeStep, Stage::DensitySolve, Stage::Move, Stage::Sort,
-                                       Stage::Neighbours, Stage::Factors));
-  EXPECT_THAT(plan.leftOut,
-              ElementsAre(core::LeftOut{"divergence solve", "switched off"},
-                          core::LeftOut{"viscosity", "the viscosity is 0"}, core::LeftOut{"gravity", "gravity is 0"},
-                          core::LeftOut{"boundary", "no particle is near the container"}));
+                                       Stage::Neighbours, Stage::Factors, Stage::DensityError));
+  EXPECT_THAT(
+      plan.leftOut,
+      ElementsAre(core::LeftOut{"divergence solve", "switched off"}, core::LeftOut{"surface tension", "not asked for"},
+                  core::LeftOut{"micropolar", "not asked for"}, core::LeftOut{"viscosity", "the viscosity is 0"},
+                  core::LeftOut{"gravity", "gravity is 0"},
+                  core::LeftOut{"boundary", "no particle is near the container"}));
 }
 
 TEST(StepPlan, DescribesEveryStageThatRuns) {
@@ -98,6 +100,60 @@ TEST(StepPlan, BoundaryStageFarFromTheContainerChangesNothing) {
   v1::Simulation settings = floatingCube(8);
   settings.mutable_gravity()->set_y(-9.81);
   expectInertStagesToBeInert(settings, "boundary");
+}
+
+/// Particles thrown about, each by itself; two of them meet after a while.
+v1::Simulation thrownParticles() {
+  v1::Simulation settings = floatingCube(1);
+  settings.mutable_gravity()->set_y(-2);
+  const v1::Block first = settings.fluids(0).blocks(0);
+  for (int k = 1; k < 5; ++k) {
+    v1::Block block = first;
+    block.mutable_first_particle()->set_x(0.4 * k);
+    block.mutable_velocity()->set_x(k == 1 ? -2 : 0.5 * k);
+    *settings.mutable_fluids(0)->add_blocks() = block;
+  }
+  return settings;
+}
+
+TEST(StepPlan, ParticlesInFreeFlightSearchForNoNeighbours) {
+  const v1::Simulation settings = thrownParticles();
+  FluidSimulation lean(settings, {.threads = 1});
+  FluidSimulation full(settings, {.threads = 1, .keepInertStages = true});
+  int searches = 0;
+  bool met = false;
+  while (lean.time() < 0.4) {
+    ASSERT_TRUE(lean.advance());
+    ASSERT_TRUE(full.advance());
+    searches += std::ranges::count(stagesTimed(lean), "neighbours") > 0 ? 1 : 0;
+    met = met || std::ranges::any_of(full.neighbours().neighbours(), [](int count) { return count > 0; });
+    ASSERT_TRUE(lean.state() == full.state()) << "at " << lean.time() << " s";
+  }
+  EXPECT_TRUE(met);
+  EXPECT_GT(searches, 0);
+  EXPECT_LT(searches, static_cast<int>(lean.statistics().steps) / 2);
+}
+
+TEST(StepPlan, NamesFreeFlightAsTheReason) {
+  v1::Simulation settings = floatingCube(1);
+  settings.mutable_gravity()->set_y(-1);
+  const StepPlan plan = planStep(settings, {.particles = 1, .boundaryInReach = false, .freeFlight = true});
+  EXPECT_THAT(plan.stages, ElementsAre(Stage::TimeStep, Stage::Gravity, Stage::Move, Stage::Sort, Stage::DensityError));
+  EXPECT_THAT(plan.leftOut, Contains(core::LeftOut{"neighbours", "no particle can meet another in this step"}));
+}
+
+TEST(StepPlan, HoldsTheStagesOfTheMethodsChosenAlone) {
+  v1::Simulation settings = smallDamBreak();
+  settings.mutable_wcsph();
+  const auto has = [&](Stage stage) { return planStep(settings, kNearWall).contains(stage); };
+  EXPECT_TRUE(has(Stage::EquationOfState));
+  EXPECT_FALSE(has(Stage::DensitySolve) || has(Stage::DivergenceSolve) || has(Stage::Factors));
+  settings.mutable_pbf();
+  EXPECT_TRUE(has(Stage::PositionSolve));
+  EXPECT_FALSE(has(Stage::EquationOfState) || has(Stage::DensitySolve));
+  settings.mutable_iisph();
+  EXPECT_TRUE(has(Stage::DensitySolve) && has(Stage::Factors));
+  EXPECT_FALSE(has(Stage::DivergenceSolve));
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scenes.h"
@@ -30,7 +31,7 @@ TEST(Update, ViscosityEntersAndLeavesThePlan) {
   settings.mutable_fluids(0)->set_viscosity(0);
   simulation.update(sceneOf(settings));
   EXPECT_EQ(simulation.plan().stages.size(), stages - 1);
-  EXPECT_EQ(simulation.plan().leftOut.front().name, "viscosity");
+  EXPECT_THAT(simulation.plan().leftOut, testing::Contains(core::LeftOut{"viscosity", "the viscosity is 0"}));
 }
 
 // Once the column runs, a tighter tolerance costs iterations and leaves less compression.

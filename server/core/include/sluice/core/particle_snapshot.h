@@ -18,6 +18,7 @@ struct StepStatistics {
   std::string timeStepLimit;   ///< The bound that set it: "cfl", "max_seconds", …
   std::uint32_t densityIterations = 0;
   std::uint32_t divergenceIterations = 0;
+  std::uint32_t viscosityIterations = 0;  ///< Of implicit viscosity; 0 where it did not run.
   double meanDensityError = 0;  ///< Mean compression relative to the rest density (0.0005 is 0.05 %).
   double maxDensityError = 0;   ///< Largest compression of any particle, likewise.
   double maxSpeed = 0;          ///< m/s.

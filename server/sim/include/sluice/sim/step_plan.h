@@ -9,18 +9,25 @@
 
 namespace sluice::sim {
 
-/// The stages of a time step. A step leaves the particles sorted, with the pairs and densities of where they are.
+/// The stages of a time step, of all methods. A step leaves the particles sorted, with the pairs and densities of where
+/// they are.
 enum class Stage {
   TimeStep,         ///< Choose the length of the step.
-  DivergenceSolve,  ///< Pressure impulses that stop compression.
-  Viscosity,        ///< Explicit viscosity.
+  DivergenceSolve,  ///< DFSPH: pressure impulses that stop compression.
+  SurfaceTension,
+  Micropolar,         ///< Exchange of velocity and spin.
+  Viscosity,          ///< Explicit viscosity.
+  ImplicitViscosity,  ///< Viscosity by a linear system.
   Gravity,
-  DensitySolve,  ///< Pressure impulses that keep the density at rest after the move.
-  Move,          ///< Refuse or take the step: x += v dt.
-  Sort,          ///< Reorder the particles by cell.
-  Neighbours,    ///< Find the pairs; densities and gradient sums.
-  Boundary,      ///< The boundary's share of those sums.
-  Factors,       ///< Pressure factors, and the density error reached.
+  DensitySolve,     ///< DFSPH, IISPH: pressure impulses that keep the density at rest after the move.
+  EquationOfState,  ///< WCSPH: pressure from density, and how that changes.
+  Move,             ///< Refuse or take the step: x += v dt.
+  Sort,             ///< Reorder the particles by cell.
+  Neighbours,       ///< Find the pairs; densities and gradient sums.
+  Boundary,         ///< The boundary's share of those sums.
+  PositionSolve,    ///< PBF: corrections of the positions.
+  Factors,          ///< DFSPH, IISPH: pressure factors.
+  DensityError,     ///< How far the densities are from rest.
 };
 
 /// What a plan needs to know of the particles.
@@ -28,6 +35,10 @@ struct StepTraits {
   std::size_t particles = 0;
   /// A particle may come within the support radius of the container in this step.
   bool boundaryInReach = true;
+  /// No particle has another within the support radius, or can get one in this step.
+  bool freeFlight = false;
+  /// The step is longer than explicit viscosity is stable in.
+  bool implicitViscosity = false;
 };
 
 struct StepPlan {

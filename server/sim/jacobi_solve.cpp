@@ -1,10 +1,10 @@
-#include "pressure_solve.h"
+#include "jacobi_solve.h"
 
 namespace sluice::sim {
 
-SolveOutcome PressureSolve::run(const SolveGoal& goal, const NeighbourLists& lists, const Mobility& mobility,
-                                const std::vector<float>& factor, std::vector<Float4>& velocity,
-                                std::vector<float>& impulse, const Team& team) {
+SolveOutcome JacobiSolve::run(const SolveGoal& goal, const NeighbourLists& lists, const Mobility& mobility,
+                              const std::vector<float>& factor, std::vector<Float4>& velocity,
+                              std::vector<float>& impulse, const Team& team) {
   const std::size_t particles = velocity.size();
   const PairLoops& loops = lists.loops();
   const float* density = goal.density != nullptr ? goal.density->data() : nullptr;
@@ -27,7 +27,8 @@ SolveOutcome PressureSolve::run(const SolveGoal& goal, const NeighbourLists& lis
     });
     const auto error = team.sumOverChunks<SolveError>(particles, [&](const Chunk& chunk) {
       return loops.relaxImpulses(lists.chunk(chunk), result_.data(), lists.gradientSum().data(), factor.data(), density,
-                                 static_cast<float>(goal.seconds), impulse4_.data());
+                                 static_cast<float>(goal.seconds), static_cast<float>(goal.relaxation),
+                                 impulse4_.data());
     });
     outcome.meanError = error.sum / static_cast<double>(particles);
     outcome.maxError = static_cast<double>(error.largest);

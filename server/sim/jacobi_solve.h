@@ -9,7 +9,7 @@
 
 namespace sluice::sim {
 
-/// What one of DFSPH's two solves has to reach.
+/// What a solve has to reach.
 struct SolveGoal {
   /// ρ̃ of every particle for the density solve (nothing may be compressed after `seconds`); null for the divergence
   /// solve (nothing may be compressing).
@@ -19,6 +19,7 @@ struct SolveGoal {
   double tolerance = 0;
   std::uint32_t minIterations = 1;
   std::uint32_t maxIterations = 100;
+  double relaxation = 0.5;  ///< ω. Plain Jacobi (1) diverges on dense clusters, Bender & Koschier take 1/2.
 };
 
 struct SolveOutcome {
@@ -27,18 +28,18 @@ struct SolveOutcome {
   double maxError = 0;
 };
 
-/// The pressure solver of DFSPH, Bender & Koschier 2017 [BK17]. Both of its solves look for pressure impulses κ ≥ 0,
+/// Relaxed Jacobi iteration for pressure impulses κ ≥ 0,
 ///
 ///   u_i = v_i - w_i [Σ_j V_j (κ_i + κ_j) ∇W_ij + κ_i Σ_b V_b ∇W_ib],   κ_i > 0 only where the bound is met,
 ///   (D u)_i = Σ_j V_j (u_i - u_j)·∇W_ij + Σ_b V_b u_i·∇W_ib ≤ bound_i,
 ///
 /// (a static boundary answers with κ_i alone, which makes the impulses the exact adjoint of D: pressure then does no
-/// work, where a mirrored κ_i was seen to add energy at impacts) with bound (1 - ρ̃_i)/dt in the density solve and 0 in
-/// the divergence solve, by relaxed Jacobi iteration; w_i is the particle's mobility (see Mixture). In terms of the
-/// masses m ∝ 1/w, u is the nearest to v in Σ m |u - v|² that meets the bounds: the system is D M⁻¹ Dᵀ, with the
-/// diagonal 1/α_i = w_i |Σ_j V_j ∇W_ij + Σ_b V_b ∇W_ib|² + Σ_j w_j |V_j ∇W_ij|². The velocities handed back are those
-/// whose error was measured, not an iterate later.
-class PressureSolve {
+/// work, where a mirrored κ_i was seen to add energy at impacts) with bound (1 - ρ̃_i)/dt in a density solve and 0 in a
+/// divergence solve; w_i is the particle's mobility (see Mixture). In terms of the masses m ∝ 1/w, u is the nearest to
+/// v in Σ m |u - v|² that meets the bounds: the system is D M⁻¹ Dᵀ, with the diagonal 1/α_i = w_i |Σ_j V_j ∇W_ij + Σ_b
+/// V_b ∇W_ib|² + Σ_j w_j |V_j ∇W_ij|². The velocities handed back are those whose error was measured, not an iterate
+/// later.
+class JacobiSolve {
  public:
   /// `velocity` and `impulse` (the start of the iteration, m²/s) are replaced by the result. Particles whose `factor`
   /// α_i is 0 carry no pressure and do not count.
