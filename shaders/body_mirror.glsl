@@ -62,7 +62,7 @@ vec4 bodySeen(vec3 origin, vec3 direction) {
   float along = way.x;
   bool wasBefore = false;
   bool meets = false;
-  for (float i = 0.5; i < liquid.mirrorSteps.x && !meets; i += 1.0) {
+  for (float i = 0.0; i <= liquid.mirrorSteps.x && !meets; i += 1.0) {
     before = along;
     along = way.x + i * step;
     float behind = behindBody(origin + along * direction);

@@ -125,7 +125,7 @@ TEST_F(Evaluate, FeaturesAreInUseOnTheSideThatIsMeasured) {
   const std::vector<std::pair<std::string, std::string>> features{{"foam", "foam"},
                                                                   {"velocity map", "velocity map"},
                                                                   {"shadows on bodies", "body shadow"},
-                                                                  {"a cube map anew", "cube map"},
+                                                                  {"bodies in a cube map", "cube map"},
                                                                   {"glass", "glass behind"}};
   for (const auto& [feature, pass] : features) {
     const Outcome outcome = evaluate({"features", "--only", feature});

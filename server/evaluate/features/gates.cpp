@@ -44,7 +44,6 @@ constexpr std::array kGates{
     Gate{"lamps", "lighting.point_lights[0]={} lighting.point_lights[1].position=1,2,2", "", kFlyBy, kFlyBy},
     Gate{"bodies", kBodies, "", kFlyBy, kFlyBy},
     Gate{"bodies in a cube map", "", "look.liquid.surroundings={}", kMovingBodies, kMovingBodies, kBodies},
-    Gate{"a cube map anew", "", "", kMovingBodies, kFlyBy, kBodies},
     Gate{"bodies mirrored in the screen", "look.liquid.screen_space={}", "look.liquid.surroundings={}", kFlyBy, kFlyBy,
          kBodies},
     // Without a floor shadows fall on bodies alone.
