@@ -6,17 +6,13 @@ float thicknessAt(vec2 W) { return texture(thicknessMap, 0.5 + 0.5 * W / liquid.
 // Liquid ends round, within the last pixels of a splat, which smoothing leaves flat: where a line of sight passes no
 // more than a ball of radius ρ holds, the surface turns away as that ball's does, T = 2ρ·cos θ, towards where the liquid
 // gets thinner. So thin rims mirror and bend what is behind them, and end crisply.
-vec3 roundedRim(vec3 normal, vec3 sight, vec2 W, float thickness) {
+vec3 roundedRim(vec3 normal, vec3 sight, float thickness) {
   float ball = 0.35 * liquid.splat.z;
   float cosine = min(thickness / (2.0 * ball), 1.0);
-  // Four pixels apart: those of the thickness are up to four of the picture's wide.
-  float step = 2.0 * frame.forwardAndPixel.w;
-  vec2 thinner = vec2(thicknessAt(W - vec2(step, 0.0)) - thicknessAt(W + vec2(step, 0.0)),
-                      thicknessAt(W - vec2(0.0, step)) - thicknessAt(W + vec2(0.0, step)));
-  vec3 outward = vec3(thinner, 0.0);
+  vec3 outward = vec3(-dFdx(thickness), -dFdy(thickness), 0.0);
   outward -= dot(outward, sight) * sight;
   float size = length(outward);
-  if (cosine >= 1.0 || size < 1e-6) return normal;
+  if (cosine >= 1.0 || size < 2.5e-7) return normal;
   vec3 round = outward / size * sqrt(1.0 - cosine * cosine) - cosine * sight;
   return normalize(mix(round, normal, cosine));
 }

@@ -52,7 +52,7 @@ void main() {
 #ifndef OPAQUE
   float thickness = thicknessAt(slope);
   float slabCosine = clamp(-dot(normal, sight), 0.0, 1.0);
-  normal = roundedRim(normal, sight, slope, thickness);
+  normal = roundedRim(normal, sight, thickness);
 #endif
 #ifdef NOISE
   normal = roughened(normal, uv, slope, q);
