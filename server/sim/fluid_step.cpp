@@ -162,7 +162,7 @@ void FluidSimulation::run(Stage stage, StepContext& step) {
     case Stage::Sort:
       return sort();
     case Stage::Neighbours:
-      return findNeighbours(step);
+      return findNeighbours();
     case Stage::Boundary:
       return lists_.addBoundary(boundary_, grid_, state_.position, team_);
     case Stage::DensityError:
@@ -220,7 +220,7 @@ void FluidSimulation::sort() {
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) { state_.gather(previous_, grid_.order(), chunk); });
 }
 
-void FluidSimulation::findNeighbours(const StepContext&) {
+void FluidSimulation::findNeighbours() {
   lists_.find(grid_, state_.position, team_);
   const auto pairs = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
     Count part;
