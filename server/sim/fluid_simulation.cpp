@@ -36,9 +36,8 @@ CellGeometry cellsOf(const Container& container, double support, double particle
                                 static_cast<std::uint64_t>(std::max(kFewCells, kCellsPerParticle * particles)));
 }
 
-double checkedBoundaryCount(const v1::Simulation& settings, const Container& container) {
-  const double count =
-      BoxBoundary::expectedCount(container, settings.particle_spacing(), discretisationOf(settings).support);
+double checkedBoundaryCount(const Container& container, const Discretisation& discretisation) {
+  const double count = BoxBoundary::expectedCount(container, discretisation.spacing, discretisation.support);
   const double limit = 0.5 * static_cast<double>(availableMemory()) / static_cast<double>(kBytesPerBoundaryParticle);
   if (count > std::min(limit, 4e9)) {
     std::ostringstream problem;
@@ -49,12 +48,13 @@ double checkedBoundaryCount(const v1::Simulation& settings, const Container& con
   return count;
 }
 
-ParticleState checkedInitialState(const v1::Simulation& settings, const Container& container) {
+ParticleState checkedInitialState(const v1::Simulation& settings, const Container& container,
+                                  const Discretisation& discretisation) {
   // Particles are numbered with 32 bits, of which the pair loops use the sign.
   constexpr std::uint64_t kMostParticles = (std::uint64_t{1} << 31) - 1;
   // 0.8: the rest of the program needs memory too.
-  const auto affordable = static_cast<std::uint64_t>(0.8 * static_cast<double>(availableMemory())) /
-                          bytesPerParticle(discretisationOf(settings));
+  const auto affordable =
+      static_cast<std::uint64_t>(0.8 * static_cast<double>(availableMemory())) / bytesPerParticle(discretisation);
   return initialState(settings, container, std::min(affordable, kMostParticles));
 }
 
@@ -66,7 +66,8 @@ void checkPlanar(const v1::Simulation& settings) {
 /// Whether two scenes choose the same members everywhere that a simulation builds on.
 bool sameMethods(const v1::Simulation& a, const v1::Simulation& b) {
   const auto solverOf = [](const v1::Simulation& simulation) {
-    return simulation.has_iisph() + 2 * simulation.has_pbf() + 3 * simulation.has_wcsph();
+    const auto chosen = simulation.pressure_solver_case();
+    return chosen == v1::Simulation::PRESSURE_SOLVER_NOT_SET ? v1::Simulation::kDfsph : chosen;
   };
   return solverOf(a) == solverOf(b) && a.has_wendland_c2() == b.has_wendland_c2() &&
          a.has_surface_tension() == b.has_surface_tension() &&
@@ -99,7 +100,7 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Simulatio
       container_(containerOf(settings)),
       discretisation_(discretisationOf(settings)),
       boundary_(container_, discretisation_,
-                cellsOf(container_, discretisation_.support, checkedBoundaryCount(settings, container_)), team_),
+                cellsOf(container_, discretisation_.support, checkedBoundaryCount(container_, discretisation_)), team_),
       grid_(boundary_.grid().geometry()),
       lists_(options.loops != nullptr ? *options.loops : bestPairLoops(), PairScale(discretisation_)),
       solver_(makePressureSolver(settings)),
@@ -110,7 +111,7 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Simulatio
 }
 
 void FluidSimulation::reset() {
-  state_ = checkedInitialState(settings_, container_);
+  state_ = checkedInitialState(settings_, container_, discretisation_);
   solver_->reset(state_, container_);
   if (settings_.has_micropolar()) MicropolarModel::reset(state_);
   statistics_ = {};

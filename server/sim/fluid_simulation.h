@@ -73,7 +73,7 @@ class FluidSimulation : public core::ParticleSource {
   void applyGravity(const StepContext& step);
   void move(StepContext& step);
   void sort();
-  void findNeighbours(const StepContext& step);
+  void findNeighbours();
   void measureCompression();
   void takeBack();
   void findBoundaryInReach();

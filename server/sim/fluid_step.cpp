@@ -36,6 +36,13 @@ struct CompressionSum {
   }
 };
 
+std::string reasonToHalt(double time, double shortest, const std::string& trouble) {
+  std::ostringstream message;
+  message << "the simulation stopped at " << time << " s: a step would have to be shorter than "
+          << "simulation.time_step.min_seconds, " << shortest << " s: " << trouble;
+  return message.str();
+}
+
 double norm(const v1::Vec3& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()); }
 
 }  // namespace
@@ -115,12 +122,7 @@ bool FluidSimulation::tryStep() {
     takeBack();
     recoverySeconds_ = 0.5 * length_.seconds;
     const double shortest = settings_.time_step().min_seconds();
-    if (recoverySeconds_ < shortest) {
-      std::ostringstream message;
-      message << "the simulation stopped at " << time_ << " s: a step would have to be shorter than "
-              << "simulation.time_step.min_seconds, " << shortest << " s: " << step.trouble;
-      halted_ = message.str();
-    }
+    if (recoverySeconds_ < shortest) halted_ = reasonToHalt(time_, shortest, step.trouble);
     return false;
   }
   if (!plan.contains(Stage::Neighbours)) freeFlight_.advance(state_.velocity, step.seconds, team_);
@@ -162,7 +164,7 @@ void FluidSimulation::run(Stage stage, StepContext& step) {
     case Stage::Sort:
       return sort();
     case Stage::Neighbours:
-      return findNeighbours(step);
+      return findNeighbours();
     case Stage::Boundary:
       return lists_.addBoundary(boundary_, grid_, state_.position, team_);
     case Stage::DensityError:
@@ -220,7 +222,7 @@ void FluidSimulation::sort() {
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) { state_.gather(previous_, grid_.order(), chunk); });
 }
 
-void FluidSimulation::findNeighbours(const StepContext&) {
+void FluidSimulation::findNeighbours() {
   lists_.find(grid_, state_.position, team_);
   const auto pairs = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
     Count part;

@@ -12,7 +12,8 @@ namespace sluice::sim {
 /// eddies that the particles are too coarse for.
 ///
 /// ∇×v is the difference form of the paper, exact for rigid rotation; ∇×ω is its adjoint, the sum form, where the paper
-/// takes the difference form too: this keeps momentum. The decay -2 ω is implicit.
+/// takes the difference form too: this keeps momentum. The decay -2 ω is implicit. As in the paper, the exchange gives
+/// more than it takes where the fluid's own viscosity is below ν_t/2.
 class MicropolarModel {
  public:
   /// Makes particles carry a spin, 0.

@@ -31,7 +31,7 @@ TEST(TimeStep, KeepsExplicitViscosityStable) {
   inputs.viscosity = 1;
   inputs.viscosityChoice = ViscosityChoice::Explicit;
   const TimeStepChoice choice = chooseTimeStep({}, inputs);
-  EXPECT_DOUBLE_EQ(choice.seconds, 0.125 * 0.05 * 0.05);
+  EXPECT_DOUBLE_EQ(choice.seconds, 0.1 * 0.05 * 0.05);
   EXPECT_EQ(choice.limit, "viscosity");
 }
 
