@@ -8,14 +8,7 @@ float sunlightPastBodies(vec3 point, vec3 normal) {
   vec4 at = vec4(point + 2.0 * lights.counts.z * normal, 1.0);
   vec3 place = vec3(dot(lights.toShadowU, at), dot(lights.toShadowV, at), dot(lights.toShadowDepth, at));
   if (any(notEqual(place.xy, clamp(place.xy, 0.0, 1.0)))) return 1.0;
-  place.z = clamp(place.z, 0.0, 1.0);
-  vec2 texel = 1.0 / vec2(textureSize(bodyShadow, 0));
-  float sum = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    vec2 offset = 1.2 * (vec2(i & 1, i >> 1) - 0.5);
-    sum += texture(bodyShadow, place + vec3(offset * texel, 0.0));
-  }
-  return 0.25 * sum;
+  return texture(bodyShadow, vec3(place.xy, clamp(place.z, 0.0, 1.0)));
 }
 
 // Share of the sky that bodies leave to the floor at `point`: soft contact. Each hides (r/d)²·cos of it, as a ball does.

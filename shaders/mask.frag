@@ -1,4 +1,4 @@
-// Lets the stencil be written where there is liquid, and no body before it.
+// Lets the stencil be written where there is liquid, or, with BODIES, where a body stands before it.
 #ifdef BODIES
 #include "frame_uniforms.glsl"
 #include "scene_depth.glsl"
@@ -10,8 +10,9 @@ in vec2 uv;
 
 void main() {
   float q = texture(surface, uv).r;
-  if (q <= 0.0) discard;
 #ifdef BODIES
-  if (bodyDepthAt(slope) > q) discard;
+  if (bodyDepthAt(slope) <= q) discard;
+#else
+  if (q <= 0.0) discard;
 #endif
 }

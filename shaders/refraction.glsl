@@ -35,7 +35,7 @@ bool isBehind(float z, vec2 slope) {
 // the start is not met.
 float untilBody(vec3 place, vec3 direction, float far) {
 #ifdef BODIES
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 2; ++i) {
     vec3 end = place + far * direction;
     float q = end.z > 0.0 ? bodyDepthAt(end.xy / end.z) : 0.0;
     if (q * place.z >= 1.0 || q * end.z <= 1.0) break;

@@ -9,19 +9,27 @@ void BackgroundPass::run(const FrameContext& frame) {
   glEnable(GL_CLIP_DISTANCE0);
   glUseProgram(sky_.name());
   drawPicture();
-  if (frame.scene.background().floor()) {
-    const std::pair variant(frame.plan.buffer(Resource::SceneDepth) != nullptr,
-                            !frame.scene.lighting().point_lights().empty());
-    auto floor = floors_.find(variant);
-    if (floor == floors_.end()) {
-      std::vector<std::string_view> defines{"FLOOR"};
-      if (variant.first) defines.emplace_back("BODIES");
-      if (variant.second) defines.emplace_back("LAMPS");
-      floor = floors_.emplace(variant, shaders().program("background.vert", "background.frag", defines)).first;
-    }
-    glUseProgram(floor->second.name());
-    drawPicture();
+  if (!frame.scene.background().floor()) return;
+  const bool hasLamps = !frame.scene.lighting().point_lights().empty();
+  const bool hasBodies = frame.plan.buffer(Resource::SceneDepth) != nullptr;
+  drawFloor(false, hasLamps);
+  if (!hasBodies || frame.shadedFloor.isEmpty()) return;
+  // Again where bodies shade it.
+  const KeepTo keepTo(frame.shadedFloor);
+  drawFloor(true, hasLamps);
+}
+
+void BackgroundPass::drawFloor(bool bodies, bool lamps) {
+  const std::pair variant(bodies, lamps);
+  auto floor = floors_.find(variant);
+  if (floor == floors_.end()) {
+    std::vector<std::string_view> defines{"FLOOR"};
+    if (bodies) defines.emplace_back("BODIES");
+    if (lamps) defines.emplace_back("LAMPS");
+    floor = floors_.emplace(variant, shaders().program("background.vert", "background.frag", defines)).first;
   }
+  glUseProgram(floor->second.name());
+  drawPicture();
 }
 
 }  // namespace sluice::render

@@ -1,4 +1,5 @@
-#include <Eigen/Geometry>
+#include <algorithm>
+#include <vector>
 
 #include "foam_dots.h"
 #include "liquid_uniforms.h"
@@ -9,19 +10,36 @@ namespace sluice::render {
 
 namespace {
 
-/// Draws into no more of the picture than the dots cover.
-void keepToFoam(const FrameContext& frame) {
-  Eigen::AlignedBox2f bounds;
-  for (const FoamDot& dot : frame.foam) {
-    const Eigen::Vector2f middle = frame.view.toPixel(Eigen::Vector2f(dot.x, dot.y) / dot.z);
+/// Rows of the picture that are drawn at a time.
+constexpr int kStripRows = 32;
+
+/// Of every strip of rows, the columns that dots cover: foam is in few places of most pictures.
+std::vector<PixelRect> placesOf(std::span<const FoamDot> dots, const ViewGeometry& view) {
+  const int width = view.size.width;
+  const int height = view.size.height;
+  struct Columns {
+    int first, last;
+  };
+  std::vector<Columns> strips(static_cast<std::size_t>((height + kStripRows - 1) / kStripRows), {width, -1});
+  for (const FoamDot& dot : dots) {
+    const Eigen::Vector2f middle = view.toPixel(Eigen::Vector2f(dot.x, dot.y) / dot.z);
     // A dot below a pixel is drawn a little larger than that.
-    const Eigen::Vector2f reach = Eigen::Vector2f::Constant(dot.radius / (dot.z * frame.view.pixelSlope) + 2);
-    bounds.extend(Eigen::AlignedBox2f(middle - reach, middle + reach));
+    const float reach = dot.radius / (dot.z * view.pixelSlope) + 2;
+    const int top = std::clamp(static_cast<int>(middle.y() - reach), 0, height - 1) / kStripRows;
+    const int bottom = std::clamp(static_cast<int>(middle.y() + reach), 0, height - 1) / kStripRows;
+    for (int strip = top; strip <= bottom; ++strip) {
+      Columns& columns = strips[static_cast<std::size_t>(strip)];
+      columns.first = std::min(columns.first, std::max(static_cast<int>(middle.x() - reach), 0));
+      columns.last = std::max(columns.last, std::min(static_cast<int>(middle.x() + reach) + 1, width - 1));
+    }
   }
-  const Eigen::Array2i low = bounds.min().array().max(0).cast<int>();
-  const Eigen::Array2i high = bounds.max().array().ceil().cast<int>();
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(low.x(), low.y(), high.x() - low.x(), high.y() - low.y());
+  std::vector<PixelRect> places;
+  for (int strip = 0; strip < static_cast<int>(strips.size()); ++strip) {
+    const auto [first, last] = strips[static_cast<std::size_t>(strip)];
+    const int top = strip * kStripRows;
+    if (last >= first) places.push_back({first, top, last - first + 1, std::min(kStripRows, height - top)});
+  }
+  return places;
 }
 
 }  // namespace
@@ -44,9 +62,10 @@ void BlendFoamPass::run(const FrameContext& frame) const {
   const auto glow = glows(liquid) ? pack(liquid.emission()) : std::array<float, 4>{};
   glProgramUniform3fv(program_.name(), 1, 1, glow.data());
   glUseProgram(program_.name());
-  keepToFoam(frame);
-  drawPicture();
-  glDisable(GL_SCISSOR_TEST);
+  for (const PixelRect& place : placesOf(frame.foam, frame.view)) {
+    const KeepTo keepTo(place);
+    drawPicture();
+  }
 }
 
 }  // namespace sluice::render

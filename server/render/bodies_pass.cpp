@@ -67,6 +67,9 @@ void BodiesPass::run(const FrameContext& frame, const BodyScene& bodies) {
     sceneDepth_ = shaders().program("picture.vert", "scene_depth.frag");
   }
   fit(frame.view.size);
+  frame.targets.clear(Resource::SceneDepth);
+  if (frame.bodyRect.isEmpty()) return;
+  const KeepTo keepTo(frame.bodyRect);
   beginTarget(frame, Resource::Background);
   drawSamples(bodies);
 
@@ -83,6 +86,8 @@ void BodiesPass::run(const FrameContext& frame, const BodyScene& bodies) {
 }
 
 void BodiesPass::runEdges(const FrameContext& frame) {
+  if (frame.bodyRect.isEmpty()) return;
+  const KeepTo keepTo(frame.bodyRect);
   std::set<std::string_view> defines = liquidFrontDefines(frame);
   defines.insert("EDGES");
   auto program = edges_.find(defines);

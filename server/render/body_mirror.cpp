@@ -28,12 +28,6 @@ gl::Texture makeCube(GLenum format, int edge) {
   return texture;
 }
 
-Eigen::AlignedBox3f localBox(const BodyInstance& body) {
-  Eigen::AlignedBox3f box;
-  for (const BodyVertex& vertex : body.model->mesh.vertices) box.extend(vertex.position);
-  return box;
-}
-
 /// How far along a ray of unit direction from `point` a body ends; 0 where that is outside.
 float wayOut(const Eigen::Vector3f& point, const Eigen::Vector3f& direction, const BodyInstance& body) {
   const Eigen::AlignedBox3f box = localBox(body);

@@ -1,7 +1,9 @@
 #include "body_scene.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "frame_uniforms.h"
 #include "same.h"
 
 namespace sluice::render {
@@ -91,10 +93,84 @@ std::shared_ptr<const BodyModel> BodyScene::modelOf(const v1::Body& body) {
   return model;
 }
 
-BodyScene::Ball boundsOf(const BodyInstance& body) {
+Eigen::AlignedBox3f localBox(const BodyInstance& body) {
   Eigen::AlignedBox3f box;
   for (const BodyVertex& vertex : body.model->mesh.vertices) box.extend(vertex.position);
+  return box;
+}
+
+BodyScene::Ball boundsOf(const BodyInstance& body) {
+  const Eigen::AlignedBox3f box = localBox(body);
   return {body.pose * box.center().eval(), 0.5F * box.sizes().norm()};
+}
+
+namespace {
+
+/// Grows to what boxes of points cover of a picture.
+class Cover {
+ public:
+  explicit Cover(const ViewGeometry& view) : view_(view) {}
+
+  void add(const Eigen::Vector3f& point) {
+    const Eigen::Vector3f at = view_.toView(point);
+    constexpr float kNear = 0.01F;  // m
+    if (at.z() < kNear) isWhole_ = true;
+    if (!isWhole_) bounds_.extend(view_.toPixel(at.head<2>() / at.z()));
+  }
+
+  PixelRect pixels() const {
+    if (isWhole_) return {0, 0, view_.size.width, view_.size.height};
+    if (bounds_.isEmpty()) return {};
+    const auto whole = Eigen::Array2f(static_cast<float>(view_.size.width), static_cast<float>(view_.size.height));
+    const Eigen::Array2i low = (bounds_.min().array() - 1).floor().max(0).min(whole).cast<int>();
+    const Eigen::Array2i high = (bounds_.max().array() + 1).ceil().max(0).min(whole).cast<int>();
+    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
+  }
+
+ private:
+  const ViewGeometry& view_;
+  Eigen::AlignedBox2f bounds_;
+  bool isWhole_ = false;
+};
+
+/// How far around a ball's foot it keeps at least 1/500 of the sky from the floor: 0.8·(ρ/d)²·(h/d) of shaders/
+/// body_shadow.glsl, with ρ 0.6 of the radius.
+float reachOfContact(float radius, float height) { return std::cbrt(500.0F * 0.8F * 0.36F * radius * radius * height); }
+
+}  // namespace
+
+PixelRect placeInPicture(const BodyScene& bodies, const ViewGeometry& view) {
+  Cover cover(view);
+  for (const BodyInstance& body : bodies.bodies()) {
+    if (body.isGlass()) continue;
+    const Eigen::AlignedBox3f box = localBox(body);
+    for (int corner = 0; corner < 8; ++corner) {
+      cover.add(body.pose * box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)));
+    }
+  }
+  return cover.pixels();
+}
+
+PixelRect shadedFloor(const BodyScene& bodies, const v1::Scene& scene, const ViewGeometry& view) {
+  const Eigen::Vector3f sun = sunDirection(scene.lighting().sun());
+  const auto floor = static_cast<float>(scene.background().floor_height());
+  // Shadows of a sun that is hardly above the horizon are longer than any floor that is seen.
+  constexpr float kLeastRise = 0.05F;
+  if (sun.y() < kLeastRise && bodies.matteBounds().radius > 0) return {0, 0, view.size.width, view.size.height};
+  Cover cover(view);
+  const auto addSquare = [&](const Eigen::Vector3f& middle, float half) {
+    for (const float x : {-half, half}) {
+      for (const float z : {-half, half}) cover.add({middle.x() + x, floor, middle.z() + z});
+    }
+  };
+  for (const BodyInstance& body : bodies.bodies()) {
+    if (body.isGlass()) continue;
+    const BodyScene::Ball ball = boundsOf(body);
+    const float height = std::abs(ball.centre.y() - floor) + ball.radius;
+    addSquare(ball.centre, reachOfContact(ball.radius, height) + ball.radius);
+    addSquare(ball.centre - sun * ((ball.centre.y() - floor) / sun.y()), 1.1F * ball.radius / sun.y());
+  }
+  return cover.pixels();
 }
 
 BodyScene::Ball BodyScene::matteBounds() const {

@@ -8,6 +8,7 @@
 
 #include "body_mesh.h"
 #include "sluice/gl/objects.h"
+#include "view_geometry.h"
 
 namespace sluice::render {
 
@@ -59,5 +60,33 @@ class BodyScene {
 
 /// The ball around a model's bounding box, in the scene.
 BodyScene::Ball boundsOf(const BodyInstance& body);
+
+/// Of the model's vertices, before it is posed.
+Eigen::AlignedBox3f localBox(const BodyInstance& body);
+
+/// Pixels of a picture, from its top left corner.
+struct PixelRect {
+  int left = 0, top = 0, width = 0, height = 0;
+
+  bool isEmpty() const { return width <= 0 || height <= 0; }
+};
+
+/// Where the bodies that are no glass show, and a pixel around: the whole picture where one reaches behind the eye.
+PixelRect placeInPicture(const BodyScene& bodies, const ViewGeometry& view);
+
+/// Where the floor shows that they keep light from, be it the sun's or the sky's, likewise.
+PixelRect shadedFloor(const BodyScene& bodies, const v1::Scene& scene, const ViewGeometry& view);
+
+/// Draws into these pixels alone, as long as it lives.
+class KeepTo {
+ public:
+  explicit KeepTo(const PixelRect& rect) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(rect.left, rect.top, rect.width, rect.height);
+  }
+  ~KeepTo() { glDisable(GL_SCISSOR_TEST); }
+  KeepTo(const KeepTo&) = delete;
+  KeepTo& operator=(const KeepTo&) = delete;
+};
 
 }  // namespace sluice::render

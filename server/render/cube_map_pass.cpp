@@ -22,7 +22,8 @@ void CubeMapPass::run(const FrameContext& frame, const BodyScene& bodies) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     for (const GLint picture : {0, 1}) glClearNamedFramebufferfv(framebuffer, GL_COLOR, picture, kNothing.data());
     glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, kNothing.data());
-    matte_.draw(bodies);
+    // Faces of a cube are seen mirrored, as from outside.
+    matte_.draw(bodies, GL_CCW);
   }
 }
 

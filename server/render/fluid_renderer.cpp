@@ -61,6 +61,8 @@ class FluidRenderer::Impl {
     clock_.lap("environment");
     noteParticles(particles);
     passes_.setBodies(scene, particles.bodies);
+    bodyRect_ = placeInPicture(passes_.bodies(), view);
+    shadedFloor_ = shadedFloor(passes_.bodies(), scene, view);
     std::vector<DataTraits> traits;
     for (std::size_t k = 0; k < liquids_.size(); ++k)
       traits.push_back(select(*liquids_[k], lookOf(scene, k), scene, view));
@@ -319,6 +321,8 @@ class FluidRenderer::Impl {
             scene,
             view,
             pictureUniforms_.name(),
+            bodyRect_,
+            shadedFloor_,
             uniforms_,
             raster_,
             foam_,
@@ -371,6 +375,8 @@ class FluidRenderer::Impl {
   SplatRaster raster_;
   std::vector<FoamDot> foam_;  ///< Of the frame at hand.
   gl::StreamBuffer pictureUniforms_;
+  PixelRect bodyRect_;
+  PixelRect shadedFloor_;
   FrameUniforms uniforms_{};
   core::Plan plan_;
 

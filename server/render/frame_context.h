@@ -23,6 +23,8 @@ struct FrameContext {
   const v1::Scene& scene;
   const ViewGeometry& view;       ///< Of the picture.
   GLuint pictureUniforms;         ///< The frame's uniforms of passes that draw into the picture.
+  const PixelRect& bodyRect;      ///< Where bodies show in it, see placeInPicture.
+  const PixelRect& shadedFloor;   ///< Where the floor is in their shade, see shadedFloor().
   const FrameUniforms& uniforms;  ///< The same.
   SplatRaster& raster;
   std::span<const FoamDot> foam;

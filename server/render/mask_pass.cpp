@@ -5,10 +5,6 @@ namespace sluice::render {
 MaskPass::MaskPass() : program_(shaders().program("picture.vert", "mask.frag")) {}
 
 void MaskPass::run(const FrameContext& frame) {
-  const bool bodies = frame.targets.has(Resource::SceneDepth);
-  if (bodies && !withBodies_) {
-    withBodies_ = shaders().program("picture.vert", "mask.frag", std::array{std::string_view("BODIES")});
-  }
   const GLuint surface = frame.targets.texture(Resource::Surface).name();
   frame.targets.clearStencil();
   beginTarget(frame, Resource::Surface);
@@ -17,11 +13,24 @@ void MaskPass::run(const FrameContext& frame) {
   glStencilFunc(GL_ALWAYS, 1, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glBindTextureUnit(0, surface);
-  if (bodies) bindTexture(frame, 7, Resource::SceneDepth);
-  glUseProgram(bodies ? withBodies_->name() : program_.name());
+  glUseProgram(program_.name());
   // The surface is read and, with its colour masked off, not written: no feedback.
   drawPicture();
+  if (frame.targets.has(Resource::SceneDepth) && !frame.bodyRect.isEmpty()) takeOutHidden(frame);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void MaskPass::takeOutHidden(const FrameContext& frame) {
+  if (!hidden_) hidden_ = shaders().program("picture.vert", "mask.frag", std::array{std::string_view("BODIES")});
+  // The surface may be coarser than the picture.
+  const int divisor = static_cast<int>(frame.look.smoothing().divisor());
+  const PixelRect& rect = frame.bodyRect;
+  const KeepTo keepTo(
+      PixelRect{rect.left / divisor, rect.top / divisor, rect.width / divisor + 2, rect.height / divisor + 2});
+  bindTexture(frame, 7, Resource::SceneDepth);
+  glStencilFunc(GL_ALWAYS, 0, 0xFF);
+  glUseProgram(hidden_->name());
+  drawPicture();
 }
 
 }  // namespace sluice::render

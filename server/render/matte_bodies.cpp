@@ -5,9 +5,20 @@
 
 namespace sluice::render {
 
-void MatteBodies::draw(const BodyScene& bodies) {
+namespace {
+
+bool isClosed(const v1::Body& body) {
+  return body.has_sphere() || (body.has_box() && !body.box().open_top()) ||
+         (body.has_cylinder() && !body.cylinder().open_top());
+}
+
+}  // namespace
+
+void MatteBodies::draw(const BodyScene& bodies, GLenum outside) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
+  glCullFace(GL_BACK);
+  glFrontFace(outside);
   glEnable(GL_CLIP_DISTANCE0);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   for (const BodyInstance& body : bodies.bodies()) {
@@ -17,7 +28,10 @@ void MatteBodies::draw(const BodyScene& bodies) {
     const v1::Matte& matte = body.body.matte();
     glProgramUniform4fv(program, 1, 1, pack(matte.colour(), matte.roughness()).data());
     glUseProgram(program);
+    // Half of a closed surface is seen from within alone.
+    if (isClosed(body.body)) glEnable(GL_CULL_FACE);
     body.model->draw();
+    glDisable(GL_CULL_FACE);
   }
   glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
   glDisable(GL_CLIP_DISTANCE0);

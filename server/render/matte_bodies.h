@@ -16,7 +16,8 @@ class MatteBodies {
   /// `defines` of bodies.vert and bodies.frag.
   explicit MatteBodies(std::vector<std::string_view> defines = {}) : defines_(std::move(defines)) {}
 
-  void draw(const BodyScene& bodies);
+  /// `outside` is how the outer sides of triangles turn in the picture: GL_CW where view space has y down.
+  void draw(const BodyScene& bodies, GLenum outside = GL_CW);
 
  private:
   const gl::Program& programOf(const BodyInstance& body);

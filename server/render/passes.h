@@ -28,6 +28,8 @@ class BackgroundPass {
   void run(const FrameContext& frame);
 
  private:
+  void drawFloor(bool bodies, bool lamps);
+
   gl::Program sky_;
   std::map<std::pair<bool, bool>, gl::Program> floors_;  ///< By whether bodies shade it, and lamps light it.
 };
@@ -86,8 +88,11 @@ class MaskPass {
   void run(const FrameContext& frame);
 
  private:
+  /// Liquid behind bodies.
+  void takeOutHidden(const FrameContext& frame);
+
   gl::Program program_;
-  std::optional<gl::Program> withBodies_;
+  std::optional<gl::Program> hidden_;
 };
 
 /// The farthest side of the liquid's splats.
