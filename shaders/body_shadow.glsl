@@ -11,7 +11,8 @@ float sunlightPastBodies(vec3 point, vec3 normal) {
   return texture(bodyShadow, vec3(place.xy, clamp(place.z, 0.0, 1.0)));
 }
 
-// Share of the sky that bodies leave to the floor at `point`: soft contact. Each hides (r/d)²·cos of it, as a ball does.
+// Share of the sky that bodies leave to the floor at `point`: soft contact. Each hides (r/d)²·cos of it, as a ball does,
+// and nothing from five radii on, see shadedFloor() in server/render/body_scene.h.
 float skyPastBodies(vec3 point) {
   float open = 1.0;
   for (int i = 0; i < int(lights.counts.y); ++i) {
@@ -19,7 +20,8 @@ float skyPastBodies(vec3 point) {
     float squared = dot(way, way);
     float radius = lights.contact[i].w;
     float rise = clamp(abs(way.y) * inversesqrt(squared), 0.0, 1.0);
-    open *= 1.0 - 0.8 * min(radius * radius / squared, 1.0) * rise;
+    float near = max(1.0 - squared / (25.0 * radius * radius), 0.0);
+    open *= 1.0 - 0.8 * min(radius * radius / squared, 1.0) * rise * near * near;
   }
   return open;
 }

@@ -133,9 +133,8 @@ class Cover {
   bool isWhole_ = false;
 };
 
-/// How far around a ball's foot it keeps at least 1/500 of the sky from the floor: 0.8·(ρ/d)²·(h/d) of shaders/
-/// body_shadow.glsl, with ρ 0.6 of the radius.
-float reachOfContact(float radius, float height) { return std::cbrt(500.0F * 0.8F * 0.36F * radius * radius * height); }
+/// Radii of the ball around a body beyond which it hides no sky, see body_shadow.glsl: five of contacts' radii.
+constexpr float kReachOfContact = 5.0F * kContactRadius;
 
 }  // namespace
 
@@ -166,8 +165,7 @@ PixelRect shadedFloor(const BodyScene& bodies, const v1::Scene& scene, const Vie
   for (const BodyInstance& body : bodies.bodies()) {
     if (body.isGlass()) continue;
     const BodyScene::Ball ball = boundsOf(body);
-    const float height = std::abs(ball.centre.y() - floor) + ball.radius;
-    addSquare(ball.centre, reachOfContact(ball.radius, height) + ball.radius);
+    addSquare(ball.centre, kReachOfContact * ball.radius);
     addSquare(ball.centre - sun * ((ball.centre.y() - floor) / sun.y()), 1.1F * ball.radius / sun.y());
   }
   return cover.pixels();

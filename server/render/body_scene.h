@@ -58,6 +58,9 @@ class BodyScene {
   std::uint64_t changes_ = 0;
 };
 
+/// Of the ball around its bounds, a body fills about this much of the radius.
+inline constexpr float kContactRadius = 0.6F;
+
 /// The ball around a model's bounding box, in the scene.
 BodyScene::Ball boundsOf(const BodyInstance& body);
 

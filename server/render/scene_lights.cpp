@@ -68,8 +68,7 @@ SceneLights makeSceneLights(const v1::Scene& scene, const BodyScene& bodies) {
   const std::size_t contacts = std::min(balls.size(), lights.contact.size());
   lights.counts[1] = static_cast<float>(contacts);
   for (std::size_t i = 0; i < contacts; ++i) {
-    // Of the ball around the bounds, a body fills about this much of the radius.
-    lights.contact[i] = pack(balls[i].centre, 0.6F * balls[i].radius);
+    lights.contact[i] = pack(balls[i].centre, kContactRadius * balls[i].radius);
   }
   // The smallest of many share the last.
   for (std::size_t i = lights.body.size(); i < balls.size(); ++i) {
