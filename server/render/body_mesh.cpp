@@ -11,7 +11,7 @@ using Eigen::Vector3f;
 
 /// Facets around a sphere or cylinder: a chord of 1/96 turn is within 0.06 % of its arc, less than half a pixel where
 /// the radius fills a picture of 800 rows.
-constexpr int kAround = 80;
+constexpr int kAround = 96;
 
 /// Position at `turn` of `turns` around y, on the unit circle. Exact at whole turns, so that seams close.
 Vector3f around(int turn, int turns) {

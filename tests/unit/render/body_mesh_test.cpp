@@ -92,7 +92,7 @@ TEST(BodyMesh, IsClosedAndTurnsOutwards) {
 TEST(BodyMesh, HasTheShapesAreaAndVolume) {
   EXPECT_NEAR(area(makeBox(box(1, 2, 3))), 22, 1e-4);
   EXPECT_NEAR(volume(makeBox(box(1, 2, 3))), 6, 1e-4);
-  // Facets cut off (2π/80)²/6 of the area of a circle, and about as much of a sphere's.
+  // Facets cut off (2π/96)²/6 of the area of a circle, and about as much of a sphere's.
   EXPECT_NEAR(volume(makeSphere(sphere(1))), 4 * std::numbers::pi / 3, 0.01);
   EXPECT_NEAR(area(makeSphere(sphere(1))), 4 * std::numbers::pi, 0.02);
   EXPECT_NEAR(volume(makeCylinder(cylinder(1, 2))), 2 * std::numbers::pi, 0.01);
