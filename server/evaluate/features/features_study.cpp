@@ -57,6 +57,12 @@ class Side {
     particles_ = sources::openColumnAndSheet(scene_)->snapshot();
     particles_->sequence = 1;
     complete(*particles_);
+    if (motion_.twoLiquids) {
+      constexpr float kColumn = 0.5F;  // m; where it ends and the sheet begins
+      for (const Eigen::Vector3f& position : particles_->positions) {
+        particles_->fluids.push_back(position.x() < kColumn ? 1 : 0);
+      }
+    }
     if (motion_.bodies) {
       for (const v1::Body& body : scene_.bodies()) {
         particles_->bodies.push_back({scene::toVector(body.position()).cast<float>(), Eigen::Quaternionf::Identity()});
@@ -118,6 +124,7 @@ std::string describe(std::string_view both, std::string_view assignments, Motion
   if (motion.camera) add("camera turns");
   if (motion.particles) add("new particles");
   if (motion.bodies) add("bodies move");
+  if (motion.twoLiquids) add("two liquids");
   if (!motion.camera && !motion.particles && !motion.bodies) add("all still");
   return text;
 }

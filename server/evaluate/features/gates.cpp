@@ -10,6 +10,7 @@ namespace {
 constexpr Motion kFlyBy{.camera = true};
 constexpr Motion kSimulation{.particles = true};
 constexpr Motion kBoth{.camera = true, .particles = true};
+constexpr Motion kTwoLiquids{.camera = true, .twoLiquids = true};
 constexpr Motion kMovingBodies{.bodies = true};
 constexpr Motion kStill{};
 
@@ -35,6 +36,9 @@ constexpr std::array kGates{
     Gate{"noise", "look.noise.amplitude=0.2", "look.noise.amplitude=0", kSimulation, kSimulation},
     Gate{"whitening by noise", "look.noise.whitening=0.6", "look.noise.whitening=0", kSimulation, kSimulation},
     Gate{"second interface", "look.liquid.two_interfaces={}", "look.liquid.snell={}", kFlyBy, kFlyBy},
+    Gate{"look-up behind the liquid", "background.floor=false", "background.floor=false background.uniform={}", kFlyBy,
+         kFlyBy},
+    Gate{"a second liquid", "", "", kTwoLiquids, kFlyBy},
     Gate{"reflection", "", "look.liquid.no_reflection={}", kFlyBy, kFlyBy},
     Gate{"environment", "", "background.backdrop={}", kFlyBy, kFlyBy},
     Gate{"shadow", "", "lighting.sun.shadow=0", kBoth, kBoth},

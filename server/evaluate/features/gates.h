@@ -7,11 +7,12 @@
 
 namespace sluice::evaluate {
 
-/// What changes from frame to frame.
+/// What changes from frame to frame, and what there is.
 struct Motion {
   bool camera = false;
-  bool particles = false;  ///< Their positions are the same, but count as new, and they are shaken.
-  bool bodies = false;     ///< They stand a little farther on in every frame.
+  bool particles = false;   ///< Their positions are the same, but count as new, and they are shaken.
+  bool bodies = false;      ///< They stand a little farther on in every frame.
+  bool twoLiquids = false;  ///< The column is of a second liquid.
 };
 
 /// One thing that a frame may do without. Assignments as with --set, several with a blank between.
