@@ -134,15 +134,20 @@ Bytes encodeBgeo(const ParticleFileData& particles) {
   const bool velocity = !particles.velocities.empty();
   const bool density = !particles.densities.empty();
   const bool id = !particles.ids.empty();
+  const bool pressure = !particles.pressures.empty();
+  const bool fluid = !particles.fluids.empty();
   writer.text(kMagic);
   writer.write(kVersion);
   writer.write(static_cast<std::int32_t>(particles.size()));
   for (int i = 0; i < 3; ++i) writer.write(std::int32_t{0});
-  writer.write(std::int32_t{velocity} + std::int32_t{density} + std::int32_t{id});
+  writer.write(std::int32_t{velocity} + std::int32_t{density} + std::int32_t{id} + std::int32_t{pressure} +
+               std::int32_t{fluid});
   for (int i = 0; i < 3; ++i) writer.write(std::int32_t{0});
   if (velocity) describe(writer, "v", 3, Type::Vector);
   if (density) describe(writer, "density", 1, Type::Float);
   if (id) describe(writer, "id", 1, Type::Integer);
+  if (pressure) describe(writer, "pressure", 1, Type::Float);
+  if (fluid) describe(writer, "fluid", 1, Type::Integer);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     for (const float component : particles.positions[i]) writer.write(component);
     writer.write(1.0F);
@@ -151,6 +156,8 @@ Bytes encodeBgeo(const ParticleFileData& particles) {
     }
     if (density) writer.write(particles.densities[i]);
     if (id) writer.write(particles.ids[i]);
+    if (pressure) writer.write(particles.pressures[i]);
+    if (fluid) writer.write(std::int32_t{particles.fluids[i]});
   }
   // The mark at the end of the file.
   writer.write(std::uint8_t{0x00});
