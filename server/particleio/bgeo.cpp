@@ -7,6 +7,7 @@
 #include "byte_writer.h"
 #include "codecs.h"
 #include "gzip.h"
+#include "text_numbers.h"
 
 namespace sluice::particleio {
 
@@ -46,7 +47,7 @@ PointAttribute readDescription(ByteReader& reader) {
       break;
     }
     default:
-      reader.fail("the attribute \"" + name + "\" has type " + std::to_string(type) +
+      reader.fail("the attribute " + shown(name) + " has type " + std::to_string(type) +
                   "; known are 0 (float), 1 (integer), 4 (text) and 5 (vector)");
   }
   const std::optional<Attribute> attribute = attributeNamed(name);
