@@ -25,6 +25,11 @@ void advanceTo(core::ParticleSource& source, double time) {
   if (!source.halted().empty()) throw core::EnvironmentError("the simulation halted: " + source.halted());
 }
 
+void advanceOnto(core::ParticleSource& source, double time) {
+  source.stopAt(time);
+  advanceTo(source, time);
+}
+
 void advanceTo(core::ParticleSource& source, double time, const v1::Scene& scene, render::FluidRenderer& renderer) {
   constexpr double kPace = 0.04;
   const double memory = memorySeconds(scene);

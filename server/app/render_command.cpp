@@ -54,7 +54,7 @@ void drawSequence(render::FluidRenderer& renderer, const Shot& shot, core::Parti
   std::filesystem::create_directories(folder, error);
   if (error) throw core::InputError(folder.string(), "--out", "cannot be made: " + error.message());
   for (int k = range.first; k <= range.last; ++k) {
-    advanceTo(source, k / framesPerSecond);
+    advanceOnto(source, k / framesPerSecond);
     char name[32];
     std::snprintf(name, sizeof name, "frame_%04d.png", k);
     const auto particles = takeSnapshot(source, static_cast<std::uint64_t>(k - range.first) + 1);

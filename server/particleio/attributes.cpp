@@ -29,6 +29,8 @@ constexpr std::array<std::string_view, 4> kVelocityNames{"v", "vel", "velocity",
 constexpr std::array<std::string_view, 3> kDensityNames{"density", "densities", "rho"};
 // SPlisHSPlasH, Houdini and partio; splashsurf and ParaView.
 constexpr std::array<std::string_view, 5> kIdNames{"id", "ids", "pid", "particleid", "particle_id"};
+constexpr std::array<std::string_view, 2> kPressureNames{"pressure", "pressures"};
+constexpr std::array<std::string_view, 2> kFluidNames{"fluid", "fluids"};
 
 int axisOf(char letter) {
   switch (letter) {
@@ -44,6 +46,13 @@ int axisOf(char letter) {
     default:
       return -1;
   }
+}
+
+/// A whole number that fits into `Number`, or none.
+template <class Number>
+std::optional<Number> whole(double value) {
+  if (!(value >= 0 && value <= std::numeric_limits<Number>::max()) || value != std::floor(value)) return std::nullopt;
+  return static_cast<Number>(value);
 }
 
 [[noreturn]] void refuse(const std::string& fileName, std::size_t particle, const char* what,
@@ -66,6 +75,8 @@ std::optional<Attribute> attributeNamed(std::string_view name) {
   if (contains(kVelocityNames, lower)) return Attribute::Velocity;
   if (contains(kDensityNames, lower)) return Attribute::Density;
   if (contains(kIdNames, lower)) return Attribute::Id;
+  if (contains(kPressureNames, lower)) return Attribute::Pressure;
+  if (contains(kFluidNames, lower)) return Attribute::Fluid;
   return std::nullopt;
 }
 
@@ -109,6 +120,12 @@ void ParticleBuilder::enable(Attribute attribute) {
     case Attribute::Id:
       particles_.ids.assign(count, 0);
       break;
+    case Attribute::Pressure:
+      particles_.pressures.assign(count, 0.0F);
+      break;
+    case Attribute::Fluid:
+      particles_.fluids.assign(count, 0);
+      break;
   }
 }
 
@@ -124,10 +141,20 @@ void ParticleBuilder::set(std::size_t particle, Target target, double value) {
       particles_.densities[particle] = static_cast<float>(value);
       break;
     case Attribute::Id:
-      if (value >= 0 && value <= std::numeric_limits<std::uint32_t>::max() && value == std::floor(value)) {
-        particles_.ids[particle] = static_cast<std::uint32_t>(value);
+      if (const auto id = whole<std::uint32_t>(value)) {
+        particles_.ids[particle] = *id;
       } else {
         idsAreWhole_ = false;
+      }
+      break;
+    case Attribute::Pressure:
+      particles_.pressures[particle] = static_cast<float>(value);
+      break;
+    case Attribute::Fluid:
+      if (const auto fluid = whole<std::uint8_t>(value)) {
+        particles_.fluids[particle] = *fluid;
+      } else {
+        fluidsAreWhole_ = false;
       }
       break;
   }
@@ -145,6 +172,9 @@ ParticleFileData ParticleBuilder::finish() && {
     throw core::InputError(fileName_, "", "the density of particle " + std::to_string(i) + " is not finite");
   }
   if (!idsAreWhole_) particles_.ids.clear();
+  if (!fluidsAreWhole_) particles_.fluids.clear();
+  const auto finite = [](float value) { return std::isfinite(value); };
+  if (!std::ranges::all_of(particles_.pressures, finite)) particles_.pressures.clear();
   return std::move(particles_);
 }
 

@@ -10,7 +10,7 @@
 
 namespace sluice::particleio {
 
-enum class Attribute : std::uint8_t { Position, Velocity, Density, Id };
+enum class Attribute : std::uint8_t { Position, Velocity, Density, Id, Pressure, Fluid };
 
 /// 3 for vectors, 1 for single numbers.
 int componentsOf(Attribute attribute);
@@ -47,6 +47,7 @@ class ParticleBuilder {
   std::string fileName_;
   ParticleFileData particles_;
   bool idsAreWhole_ = true;
+  bool fluidsAreWhole_ = true;
 };
 
 }  // namespace sluice::particleio

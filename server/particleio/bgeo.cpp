@@ -7,6 +7,7 @@
 #include "byte_writer.h"
 #include "codecs.h"
 #include "gzip.h"
+#include "text_numbers.h"
 
 namespace sluice::particleio {
 
@@ -46,7 +47,7 @@ PointAttribute readDescription(ByteReader& reader) {
       break;
     }
     default:
-      reader.fail("the attribute \"" + name + "\" has type " + std::to_string(type) +
+      reader.fail("the attribute " + shown(name) + " has type " + std::to_string(type) +
                   "; known are 0 (float), 1 (integer), 4 (text) and 5 (vector)");
   }
   const std::optional<Attribute> attribute = attributeNamed(name);
@@ -134,15 +135,20 @@ Bytes encodeBgeo(const ParticleFileData& particles) {
   const bool velocity = !particles.velocities.empty();
   const bool density = !particles.densities.empty();
   const bool id = !particles.ids.empty();
+  const bool pressure = !particles.pressures.empty();
+  const bool fluid = !particles.fluids.empty();
   writer.text(kMagic);
   writer.write(kVersion);
   writer.write(static_cast<std::int32_t>(particles.size()));
   for (int i = 0; i < 3; ++i) writer.write(std::int32_t{0});
-  writer.write(std::int32_t{velocity} + std::int32_t{density} + std::int32_t{id});
+  writer.write(std::int32_t{velocity} + std::int32_t{density} + std::int32_t{id} + std::int32_t{pressure} +
+               std::int32_t{fluid});
   for (int i = 0; i < 3; ++i) writer.write(std::int32_t{0});
   if (velocity) describe(writer, "v", 3, Type::Vector);
   if (density) describe(writer, "density", 1, Type::Float);
   if (id) describe(writer, "id", 1, Type::Integer);
+  if (pressure) describe(writer, "pressure", 1, Type::Float);
+  if (fluid) describe(writer, "fluid", 1, Type::Integer);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     for (const float component : particles.positions[i]) writer.write(component);
     writer.write(1.0F);
@@ -151,6 +157,8 @@ Bytes encodeBgeo(const ParticleFileData& particles) {
     }
     if (density) writer.write(particles.densities[i]);
     if (id) writer.write(particles.ids[i]);
+    if (pressure) writer.write(particles.pressures[i]);
+    if (fluid) writer.write(std::int32_t{particles.fluids[i]});
   }
   // The mark at the end of the file.
   writer.write(std::uint8_t{0x00});

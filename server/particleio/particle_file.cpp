@@ -2,9 +2,7 @@
 
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "codecs.h"
@@ -12,6 +10,7 @@
 #include "read_bytes.h"
 #include "sluice/core/check.h"
 #include "sluice/core/input_error.h"
+#include "sluice/core/whole_file.h"
 
 namespace sluice::particleio {
 
@@ -72,6 +71,8 @@ std::vector<std::uint8_t> encode(const ParticleFileData& particles, Format forma
   SLUICE_CHECK(particles.velocities.empty() || particles.velocities.size() == count);
   SLUICE_CHECK(particles.densities.empty() || particles.densities.size() == count);
   SLUICE_CHECK(particles.ids.empty() || particles.ids.size() == count);
+  SLUICE_CHECK(particles.pressures.empty() || particles.pressures.size() == count);
+  SLUICE_CHECK(particles.fluids.empty() || particles.fluids.size() == count);
   switch (format) {
     case Format::Bgeo:
       return encodeBgeo(particles);
@@ -95,19 +96,11 @@ ParticleFileData readParticleFile(const fs::path& file) {
 }
 
 void writeParticleFile(const fs::path& file, const ParticleFileData& particles) {
-  const std::vector<std::uint8_t> bytes = encode(particles, requiredFormat(file));
-  fs::path part = file;
-  part += ".part";
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  std::error_code error;
-  if (stream) fs::rename(part, file, error);
-  if (!stream || error) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw core::EnvironmentError(file.string() + ": cannot be written" + (error ? ": " + error.message() : ""));
-  }
+  writeParticleFile(file, particles, requiredFormat(file));
+}
+
+void writeParticleFile(const fs::path& file, const ParticleFileData& particles, Format format) {
+  core::writeWholeFile(file, encode(particles, format));
 }
 
 }  // namespace sluice::particleio

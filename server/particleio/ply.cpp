@@ -61,11 +61,15 @@ Bytes encodePly(const ParticleFileData& particles) {
   const bool velocity = !particles.velocities.empty();
   const bool density = !particles.densities.empty();
   const bool id = !particles.ids.empty();
+  const bool pressure = !particles.pressures.empty();
+  const bool fluid = !particles.fluids.empty();
   writer.text("ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(particles.size()) + "\n");
   writer.text("property float x\nproperty float y\nproperty float z\n");
   if (velocity) writer.text("property float vx\nproperty float vy\nproperty float vz\n");
   if (density) writer.text("property float density\n");
   if (id) writer.text("property uint id\n");
+  if (pressure) writer.text("property float pressure\n");
+  if (fluid) writer.text("property uchar fluid\n");
   writer.text("end_header\n");
   for (std::size_t i = 0; i < particles.size(); ++i) {
     for (const float component : particles.positions[i]) writer.write(component);
@@ -74,6 +78,8 @@ Bytes encodePly(const ParticleFileData& particles) {
     }
     if (density) writer.write(particles.densities[i]);
     if (id) writer.write(particles.ids[i]);
+    if (pressure) writer.write(particles.pressures[i]);
+    if (fluid) writer.write(particles.fluids[i]);
   }
   return std::move(writer).take();
 }

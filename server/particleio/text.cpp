@@ -183,11 +183,15 @@ Bytes encodeCsv(const ParticleFileData& particles) {
   const bool velocity = !particles.velocities.empty();
   const bool density = !particles.densities.empty();
   const bool id = !particles.ids.empty();
+  const bool pressure = !particles.pressures.empty();
+  const bool fluid = !particles.fluids.empty();
   ByteWriter writer(std::endian::native);
   writer.text("x,y,z");
   if (velocity) writer.text(",vx,vy,vz");
   if (density) writer.text(",density");
   if (id) writer.text(",id");
+  if (pressure) writer.text(",pressure");
+  if (fluid) writer.text(",fluid");
   writer.text("\n");
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const auto writeVector = [&](const Eigen::Vector3f& v, std::string_view after) {
@@ -207,6 +211,14 @@ Bytes encodeCsv(const ParticleFileData& particles) {
     if (id) {
       writer.text(",");
       writer.text(std::to_string(particles.ids[i]));
+    }
+    if (pressure) {
+      writer.text(",");
+      writeNumber(writer, particles.pressures[i], "");
+    }
+    if (fluid) {
+      writer.text(",");
+      writer.text(std::to_string(particles.fluids[i]));
     }
     writer.text("\n");
   }

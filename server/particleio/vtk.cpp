@@ -222,6 +222,15 @@ class VtkReader {
   std::optional<ParticleBuilder> builder_;
 };
 
+/// One number a particle; nothing where there are none.
+template <class Number>
+void writeField(ByteWriter& writer, const char* name, const char* type, const std::vector<Number>& values) {
+  if (values.empty()) return;
+  writer.text(std::string(name) + " 1 " + std::to_string(values.size()) + " " + type + "\n");
+  for (const Number value : values) writer.write(value);
+  writer.text("\n");
+}
+
 }  // namespace
 
 ParticleFileData decodeVtk(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -241,28 +250,21 @@ Bytes encodeVtk(const ParticleFileData& particles) {
     writer.write(std::int32_t{1});
     writer.write(static_cast<std::int32_t>(i));
   }
-  const int arrays =
-      int{!particles.velocities.empty()} + int{!particles.densities.empty()} + int{!particles.ids.empty()};
-  if (arrays > 0) {
-    writer.text("\nPOINT_DATA " + count + "\nFIELD FieldData " + std::to_string(arrays) + "\n");
-    if (!particles.velocities.empty()) {
-      writer.text("velocity 3 " + count + " float\n");
-      for (const Eigen::Vector3f& velocity : particles.velocities) {
-        for (const float component : velocity) writer.write(component);
-      }
-      writer.text("\n");
+  const int arrays = int{!particles.velocities.empty()} + int{!particles.densities.empty()} +
+                     int{!particles.ids.empty()} + int{!particles.pressures.empty()} + int{!particles.fluids.empty()};
+  if (arrays == 0) return std::move(writer).take();
+  writer.text("\nPOINT_DATA " + count + "\nFIELD FieldData " + std::to_string(arrays) + "\n");
+  if (!particles.velocities.empty()) {
+    writer.text("velocity 3 " + count + " float\n");
+    for (const Eigen::Vector3f& velocity : particles.velocities) {
+      for (const float component : velocity) writer.write(component);
     }
-    if (!particles.densities.empty()) {
-      writer.text("density 1 " + count + " float\n");
-      for (const float density : particles.densities) writer.write(density);
-      writer.text("\n");
-    }
-    if (!particles.ids.empty()) {
-      writer.text("id 1 " + count + " unsigned_int\n");
-      for (const std::uint32_t id : particles.ids) writer.write(id);
-      writer.text("\n");
-    }
+    writer.text("\n");
   }
+  writeField(writer, "density", "float", particles.densities);
+  writeField(writer, "id", "unsigned_int", particles.ids);
+  writeField(writer, "pressure", "float", particles.pressures);
+  writeField(writer, "fluid", "unsigned_char", particles.fluids);
   return std::move(writer).take();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace sluice::sim {
 
@@ -36,9 +37,7 @@ void CellGrid::sort(const std::vector<Float4>& points, const Team& team) {
   });
 
   // Serial from here: about a hundredth of a step, and the moved data (in Simulation) is gathered in parallel.
-  std::fill(starts_.begin(), starts_.end(), 0U);
-  for (const std::uint32_t cell : cell_) ++starts_[cell + 1];
-  for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
+  countStarts();
   for (std::uint32_t i = 0; i < cell_.size(); ++i) {
     const std::uint32_t place = starts_[cell_[i]]++;
     order_[place] = i;
@@ -47,6 +46,21 @@ void CellGrid::sort(const std::vector<Float4>& points, const Team& team) {
   // Each start has moved to the next cell's; move them back.
   std::copy_backward(starts_.begin(), starts_.end() - 1, starts_.end());
   starts_[0] = 0;
+}
+
+void CellGrid::countStarts() {
+  std::fill(starts_.begin(), starts_.end(), 0U);
+  for (const std::uint32_t cell : cell_) ++starts_[cell + 1];
+  for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
+}
+
+bool CellGrid::restore(const std::vector<std::uint32_t>& cells) {
+  if (!std::ranges::is_sorted(cells) || (!cells.empty() && cells.back() >= geometry_.count())) return false;
+  cell_ = cellOfSorted_ = cells;
+  order_.resize(cells.size());
+  std::iota(order_.begin(), order_.end(), 0U);
+  countStarts();
+  return true;
 }
 
 CellGrid::Neighbourhood CellGrid::around(std::uint32_t cell) const {

@@ -47,6 +47,10 @@ class CellGrid {
   /// Sorts; afterwards order()[k] is the present index of the point that comes k-th.
   void sort(const std::vector<Float4>& points, const Team& team);
 
+  /// Takes points as sorted already, the k-th in cell `cells[k]`. Returns false, and is of no use, where they are not
+  /// in order or a cell does not exist.
+  bool restore(const std::vector<std::uint32_t>& cells);
+
   const std::vector<std::uint32_t>& order() const { return order_; }
 
   /// Cell of the k-th point in the new order.
@@ -69,6 +73,8 @@ class CellGrid {
   Neighbourhood around(std::uint32_t cell) const;
 
  private:
+  void countStarts();
+
   CellGeometry geometry_;
   std::vector<std::uint32_t> starts_;
   std::vector<std::uint32_t> cell_;

@@ -43,10 +43,15 @@ class FluidSimulation : public core::ParticleSource {
   explicit FluidSimulation(const v1::Simulation& settings, const SimulationOptions& options = {});
 
   bool advance() override;
+  void stopAt(double seconds) override { stop_ = seconds; }
   double time() const override { return time_; }
   void reset() override;
   std::unique_ptr<core::ParticleSnapshot> snapshot() const override;
   void update(const v1::Scene& scene) override;
+  /// The particles with what solvers carry from step to step, the cells that they are sorted by, and the time step's
+  /// memory. Pairs, sums and factors follow from these.
+  void save(core::StateWriter& out) const override;
+  void resume(core::StateReader& in) override;
   std::string halted() const override { return halted_; }
   core::Plan plan() const override;
 
@@ -76,6 +81,9 @@ class FluidSimulation : public core::ParticleSource {
   void findNeighbours();
   void measureCompression();
   void takeBack();
+  void shortenToStop();
+  void readParticles(core::StateReader& in);
+  void rebuildPairs();
   void findBoundaryInReach();
 
   v1::Simulation settings_;
@@ -103,7 +111,10 @@ class FluidSimulation : public core::ParticleSource {
   MicropolarModel micropolar_;
 
   double time_ = 0;
+  double stop_ = std::numeric_limits<double>::infinity();  ///< Time that no step passes, s.
   TimeStepChoice length_;
+  double stepSeconds_ = 0;      ///< What the step takes of it.
+  bool reachesStop_ = false;    ///< The step ends at stop_.
   double lastStepSeconds_ = 0;  ///< Of the last step that was taken; 0 before the first.
   double recoverySeconds_ = std::numeric_limits<double>::infinity();
   double maxSpeed_ = 0;

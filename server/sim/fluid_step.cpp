@@ -97,6 +97,7 @@ StepContext FluidSimulation::beginStep() {
   if (solver_->movesParticles()) beginning_ = state_;
   findBoundaryInReach();
   length_ = chooseTimeStep(settings_.time_step(), timeStepInputs());
+  shortenToStop();
   return {.discretisation = discretisation_,
           .container = container_,
           .boundary = boundary_,
@@ -106,11 +107,24 @@ StepContext FluidSimulation::beginStep() {
           .lists = lists_,
           .state = state_,
           .statistics = statistics_,
-          .seconds = length_.seconds,
+          .seconds = stepSeconds_,
           .lastSeconds = lastStepSeconds_,
           .maxCompression = settings_.time_step().max_compression() / 100,
           .boundaryInReach = boundaryInReach_,
           .trouble = {}};
+}
+
+void FluidSimulation::shortenToStop() {
+  stepSeconds_ = length_.seconds;
+  const double left = stop_ - time_;
+  reachesStop_ = left > 0 && left <= stepSeconds_;
+  if (reachesStop_) {
+    stepSeconds_ = left;
+  } else if (left > 0 && left < 2 * stepSeconds_) {
+    // Two steps alike instead of a long one and what it leaves over, which may be next to nothing.
+    stepSeconds_ = 0.5 * left;
+  }
+  if (stepSeconds_ < length_.seconds) length_.limit = "frame";
 }
 
 bool FluidSimulation::tryStep() {
@@ -120,7 +134,7 @@ bool FluidSimulation::tryStep() {
     run(stage, step);
     if (step.trouble.empty()) continue;
     takeBack();
-    recoverySeconds_ = 0.5 * length_.seconds;
+    recoverySeconds_ = 0.5 * stepSeconds_;
     const double shortest = settings_.time_step().min_seconds();
     if (recoverySeconds_ < shortest) halted_ = reasonToHalt(time_, shortest, step.trouble);
     return false;
@@ -131,7 +145,7 @@ bool FluidSimulation::tryStep() {
 }
 
 void FluidSimulation::finish(const StepContext& step) {
-  time_ += step.seconds;
+  time_ = reachesStop_ ? stop_ : time_ + step.seconds;
   lastStepSeconds_ = step.seconds;
   maxSpeed_ = step.maxSpeed;
   pressureAcceleration_ = step.pressureAcceleration;
@@ -179,9 +193,10 @@ void FluidSimulation::run(Stage stage, StepContext& step) {
 }
 
 void FluidSimulation::acceptLength(StepContext& step) const {
-  if (step.seconds >= settings_.time_step().min_seconds()) return;
+  // What a stop leaves may be shorter.
+  if (length_.seconds >= settings_.time_step().min_seconds()) return;
   std::ostringstream text;
-  text << "the bound \"" << length_.limit << "\" allows " << step.seconds << " s";
+  text << "the bound \"" << length_.limit << "\" allows " << length_.seconds << " s";
   step.trouble = text.str();
 }
 

@@ -90,6 +90,19 @@ void FreeFlight::noteNone(const CellGrid& grid, const std::vector<Float4>& posit
   noneBefore_ = true;
 }
 
+void FreeFlight::save(core::StateWriter& out) const {
+  out.write(noneBefore_);
+  out.write(gap_);
+}
+
+void FreeFlight::resume(core::StateReader& in) {
+  // Not read as a bool: a byte other than 0 and 1 makes none.
+  std::uint8_t noneBefore = 0;
+  in.read(noneBefore);
+  noneBefore_ = noneBefore != 0;
+  in.read(gap_);
+}
+
 bool FreeFlight::covers(const std::vector<Float4>& velocities, double seconds, const Team& team) const {
   return gap_ > 0 && closingSpeed(velocities, team) * seconds < gap_;
 }

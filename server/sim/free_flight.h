@@ -4,6 +4,7 @@
 
 #include "cell_grid.h"
 #include "particles.h"
+#include "sluice/core/state_stream.h"
 #include "team.h"
 
 namespace sluice::sim {
@@ -21,6 +22,9 @@ class FreeFlight {
   /// After a search for neighbours that found none within `support`. The gap is measured from the second such search
   /// in a row on, when pressures have gone back to 0.
   void noteNone(const CellGrid& grid, const std::vector<Float4>& positions, double support, const Team& team);
+
+  void save(core::StateWriter& out) const;
+  void resume(core::StateReader& in);
 
   /// Whether no two particles can come within the support by moving for `seconds` under a common acceleration.
   bool covers(const std::vector<Float4>& velocities, double seconds, const Team& team) const;

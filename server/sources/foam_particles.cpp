@@ -210,6 +210,41 @@ void FoamParticles::create(const LiquidGrid& liquid, const FoamPotentials& poten
   }
 }
 
+void FoamParticles::save(core::StateWriter& out) const {
+  const auto writeVectors = [&](const std::vector<Vector3f>& vectors) {
+    out.write(vectors.empty() ? std::span<const float>() : std::span(vectors.front().data(), 3 * vectors.size()));
+  };
+  writeVectors(all_.positions);
+  writeVectors(all_.velocities);
+  out.write(all_.kinds);
+  out.write(all_.remaining);
+  out.write(all_.ids);
+  out.write(nextId_);
+  out.write(step_);
+}
+
+void FoamParticles::resume(core::StateReader& in) {
+  const auto readVectors = [&](std::vector<Vector3f>& vectors) {
+    std::vector<float> components;
+    in.read(components);
+    vectors.resize(components.size() / 3);
+    for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = Eigen::Map<const Vector3f>(&components[3 * i]);
+  };
+  readVectors(all_.positions);
+  readVectors(all_.velocities);
+  in.read(all_.kinds);
+  in.read(all_.remaining);
+  in.read(all_.ids);
+  in.read(nextId_);
+  in.read(step_);
+  const std::size_t count = all_.size();
+  const bool known = std::ranges::all_of(all_.kinds, [](DiffuseKind kind) { return kind <= DiffuseKind::Bubble; });
+  if (all_.velocities.size() != count || all_.kinds.size() != count || all_.remaining.size() != count ||
+      all_.ids.size() != count || !known) {
+    in.fail("the foam's arrays do not fit together");
+  }
+}
+
 void FoamParticles::keepAtMost(std::size_t most) {
   if (all_.size() <= most) return;
   std::vector<std::uint32_t> order(all_.size());

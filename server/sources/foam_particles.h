@@ -11,6 +11,7 @@
 #include "foam_potentials.h"
 #include "foam_walls.h"
 #include "sluice/core/particle_snapshot.h"
+#include "sluice/core/state_stream.h"
 
 namespace sluice::sources {
 
@@ -35,6 +36,10 @@ class FoamParticles {
   const core::DiffuseParticles& all() const { return all_; }
   void add(const Eigen::Vector3f& position, const Eigen::Vector3f& velocity, core::DiffuseKind kind, float remaining);
   void clear() { *this = FoamParticles(seed_); }
+
+  void save(core::StateWriter& out) const;
+  /// Throws core::InputError where the arrays do not fit together.
+  void resume(core::StateReader& in);
 
   /// Moves on by `seconds` to the time of `liquid`, ages, and removes what is gone: foam that is too old, spray that
   /// lands on the ground or falls out of the scene.

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "foam_grid.h"
@@ -23,6 +24,9 @@ constexpr double kInterval = 0.01;
 constexpr const char* kPotentialsStage = "foam potentials";
 constexpr const char* kParticlesStage = "foam particles";
 
+/// Of a saved state.
+constexpr std::string_view kPart = "foam";
+
 Vector3f toVector(const v1::Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
@@ -42,6 +46,8 @@ class FoamSource : public core::ParticleSource {
     if (isOn_ && moved && hasVelocities_ && liquid_->time() - time_ >= kInterval * (1 - 1e-6)) step();
     return moved;
   }
+
+  void stopAt(double seconds) override { liquid_->stopAt(seconds); }
 
   double time() const override { return liquid_->time(); }
 
@@ -78,6 +84,31 @@ class FoamSource : public core::ParticleSource {
   }
 
   std::string halted() const override { return liquid_->halted(); }
+
+  void save(core::StateWriter& out) const override {
+    liquid_->save(out);
+    out.write(kPart);
+    out.write(std::uint8_t{isOn_});
+    out.write(std::uint8_t{hasVelocities_});
+    out.write(time_);
+    out.write(stepsTaken_);
+    particles_.save(out);
+  }
+
+  void resume(core::StateReader& in) override {
+    liquid_->resume(in);
+    in.expect(kPart);
+    std::uint8_t isOn = 0;
+    in.read(isOn);
+    if ((isOn != 0) != isOn_) in.fail("the state and its scene disagree on whether there is foam");
+    std::uint8_t hasVelocities = 0;
+    in.read(hasVelocities);
+    hasVelocities_ = hasVelocities != 0;
+    in.read(time_);
+    in.read(stepsTaken_);
+    particles_.resume(in);
+    stages_.clear();
+  }
 
   core::Plan plan() const override {
     core::Plan plan = liquid_->plan();

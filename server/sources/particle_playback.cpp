@@ -58,6 +58,8 @@ class ParticlePlayback : public core::ParticleSource {
     snapshot->velocities = frame_.velocities;
     snapshot->densities = frame_.densities;
     snapshot->ids = frame_.ids;
+    snapshot->pressures = frame_.pressures;
+    snapshot->fluids = frame_.fluids;
     snapshot->bounds = core::boundsOf(frame_.positions);
     snapshot->statistics.steps = index_;
     snapshot->statistics.timeStepSeconds = files_.size() > 1 ? 1 / framesPerSecond_ : 0;
@@ -75,7 +77,7 @@ class ParticlePlayback : public core::ParticleSource {
   core::Plan plan() const override {
     core::Plan plan = planOfStored(frame_);
     if (files_.size() > 1) {
-      plan.stages.push_back({"read frame", {"file"}, {"positions", "velocities", "densities", "ids"}});
+      plan.stages.push_back({"read frame", {"file"}, {"positions", "velocities", "densities", "ids", "pressures", "fluids"}});
     } else {
       plan.leftOut.insert(plan.leftOut.begin(), {"read frame", "a single file, which stays as it is"});
     }

@@ -11,6 +11,8 @@ core::Plan planOfStored(const particleio::ParticleFileData& particles) {
   addBuffer("velocities", particles.velocities.size() * sizeof(Eigen::Vector3f));
   addBuffer("densities", particles.densities.size() * sizeof(float));
   addBuffer("ids", particles.ids.size() * sizeof(std::uint32_t));
+  addBuffer("pressures", particles.pressures.size() * sizeof(float));
+  addBuffer("fluids", particles.fluids.size());
   plan.leftOut = {{"neighbour search", "the particles are stored, not simulated"},
                   {"pressure solve", "the particles are stored, not simulated"}};
   return plan;

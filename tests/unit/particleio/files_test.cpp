@@ -56,8 +56,37 @@ TEST_F(Files, AreRefusedWhenEmpty) {
   }
 }
 
+TEST_F(Files, AreWrittenInTheFormatThatIsGiven) {
+  writeParticleFile(folder_ / "a.bgeo", someParticles(), Format::BgeoGzip);
+  std::ifstream file(folder_ / "a.bgeo", std::ios::binary);
+  EXPECT_EQ(file.get(), 0x1f) << "gzip's signature";
+  EXPECT_EQ(readParticleFile(folder_ / "a.bgeo").pressures, someParticles().pressures);
+}
+
+/// The message of the InputError that writing throws.
+std::string writeError(const fs::path& file) {
+  try {
+    writeParticleFile(file, someParticles());
+  } catch (const core::InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << file << " was written";
+  return {};
+}
+
 TEST_F(Files, CannotBeWrittenWhereThereIsNoFolder) {
-  EXPECT_THROW(writeParticleFile(folder_ / "none" / "a.ply", someParticles()), core::EnvironmentError);
+  EXPECT_THAT(writeError(folder_ / "none" / "a.ply"), HasSubstr("none/a.ply: cannot be written: No such file"));
+}
+
+TEST_F(Files, KeepWhatWasThereWhenTheDiskIsFull) {
+  const fs::path file = folder_ / "a.ply";
+  writeParticleFile(file, someParticles());
+  const auto size = fs::file_size(file);
+  // What is written to /dev/full finds no space left.
+  fs::create_symlink("/dev/full", folder_ / "a.ply.part");
+  EXPECT_THAT(writeError(file), HasSubstr("a.ply: cannot be written: No space left"));
+  EXPECT_EQ(fs::file_size(file), size);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "no half-written file stays";
 }
 
 }  // namespace

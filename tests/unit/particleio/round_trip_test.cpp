@@ -1,3 +1,7 @@
+#include <bit>
+#include <cmath>
+#include <random>
+
 #include "support.h"
 
 namespace sluice::particleio::test {
@@ -10,6 +14,8 @@ void expectEqual(const ParticleFileData& actual, const ParticleFileData& expecte
   EXPECT_EQ(actual.velocities, expected.velocities);
   EXPECT_EQ(actual.densities, expected.densities);
   EXPECT_EQ(actual.ids, expected.ids);
+  EXPECT_EQ(actual.pressures, expected.pressures);
+  EXPECT_EQ(actual.fluids, expected.fluids);
 }
 
 TEST_P(RoundTrip, KeepsEveryNumberExactly) {
@@ -17,6 +23,35 @@ TEST_P(RoundTrip, KeepsEveryNumberExactly) {
   const ParticleFileData actual = decode(encode(expected, GetParam()), GetParam(), "file");
   if (GetParam() == Format::Xyz) expected = {expected.positions, {}, {}, {}};
   expectEqual(actual, expected);
+}
+
+TEST_P(RoundTrip, KeepsTheBitsOfAnyFloats) {
+  std::mt19937 random(1);
+  const auto anyFloat = [&] {
+    while (true) {
+      const float value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+      if (std::isfinite(value)) return value;
+    }
+  };
+  ParticleFileData expected{{{-0.0F, 0.0F, std::numeric_limits<float>::denorm_min()}}, {}, {}, {}};
+  for (int i = 0; i < 20000; ++i) expected.positions.emplace_back(anyFloat(), anyFloat(), anyFloat());
+  const ParticleFileData actual = decode(encode(expected, GetParam()), GetParam(), "file");
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(actual.positions[i][axis]),
+                std::bit_cast<std::uint32_t>(expected.positions[i][axis]))
+          << expected.positions[i][axis];
+    }
+  }
+}
+
+TEST_P(RoundTrip, LeavesOutPressuresThatAreNotFinite) {
+  ParticleFileData particles = someParticles();
+  particles.pressures[1] = std::numeric_limits<float>::quiet_NaN();
+  const ParticleFileData actual = decode(encode(particles, GetParam()), GetParam(), "file");
+  EXPECT_EQ(actual.size(), particles.size());
+  EXPECT_TRUE(actual.pressures.empty());
 }
 
 TEST_P(RoundTrip, KeepsPositionsAlone) {

@@ -40,7 +40,9 @@ inline ParticleFileData someParticles() {
   return {{{0.1F, -2.0F, 3e-7F}, {1e6F, 0.0F, 0.3F}, {-0.25F, 0.5F, 1.0F}},
           {{1, 2, 3}, {-4, 5.5F, 0}, {0, 0, -9.81F}},
           {1000.0F, 998.5F, 0.1F},
-          {7, 0, 4294967295U}};
+          {7, 0, 4294967295U},
+          {0.0F, -12.5F, 101325.0F},
+          {0, 255, 1}};
 }
 
 }  // namespace sluice::particleio::test

@@ -5,6 +5,7 @@
 
 #include "sluice/core/particle_snapshot.h"
 #include "sluice/core/plan.h"
+#include "sluice/core/state_stream.h"
 
 namespace sluice::v1 {
 class Scene;
@@ -20,6 +21,11 @@ class ParticleSource {
   /// Moves on by one time step (or one stored frame). Returns false when there is nothing to move on to: the end of
   /// a sequence, a single file, or a simulation that halted (see `halted`).
   virtual bool advance() = 0;
+
+  /// Has the steps of a source that chooses their lengths itself end at `seconds` exactly where they would pass it: the
+  /// time of a picture, or of a file. Holds until it is called again, with infinity for no such time; times that lie
+  /// behind have no effect. Stored frames are where they are.
+  virtual void stopAt(double /*seconds*/) {}
 
   /// Simulated time, s, 0 in the initial state.
   virtual double time() const = 0;
@@ -39,6 +45,15 @@ class ParticleSource {
 
   /// Why the source can not go on; empty while it can.
   virtual std::string halted() const { return {}; }
+
+  /// Writes everything that the next steps depend on. Throws InputError where a source has no such state.
+  virtual void save(StateWriter& /*out*/) const {
+    throw InputError("", "source", "only the state of a simulation can be saved");
+  }
+
+  /// Takes over what a source of the same scene has saved: from here on it goes the way of that one, bit for bit.
+  /// Throws InputError for a state of another scene; the source then is of no use any more.
+  virtual void resume(StateReader& in) { in.fail("only a simulation can be resumed"); }
 
   /// What a step does and what it leaves out.
   virtual Plan plan() const = 0;
