@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
                const core::Plan plan = s.plan();
                return std::ranges::any_of(plan.leftOut, [](const auto& left) { return left.name == "neighbours"; });
              }}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& tested) { return tested.param.name; });
 
 TEST(SavedState, GoesOnAfterAStepThatWasTakenBack) {
   // A long step squeezes the fluid too far; the shorter ones that follow grow back slowly.
