@@ -1,4 +1,6 @@
 // Normals of meshes that come without: differences of the depth in the picture are those of the faces.
+#include <unistd.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -82,7 +84,9 @@ class MeshNormals : public RenderTest {
   core::ImageSize size{200, 200};
 
  private:
-  std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) / "sluice_mesh_normals";
+  /// Tests run side by side, each in a process of its own.
+  std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) / ("sluice_mesh_normals_" + std::to_string(::getpid()));
 };
 
 TEST_F(MeshNormals, FromThePictureAreThoseOfTheFaces) {
