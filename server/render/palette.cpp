@@ -81,10 +81,6 @@ float linearOfSrgb(float encoded) {
   return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
 }
 
-float srgbOfLinear(float linear) {
-  return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
-}
-
 float lightness(const Eigen::Vector3f& srgb) {
   // Y of linear sRGB; below (6/29)³ the cube root is replaced by its tangent.
   const float luminance =

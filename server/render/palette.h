@@ -15,9 +15,8 @@ inline constexpr std::size_t kPaletteColours = 256;
 /// [0, 1] the colour of that end. Without a palette: viridis, the default.
 Eigen::Vector3f paletteColour(v1::ColourMap::PaletteCase palette, float share);
 
-/// Linear light of an sRGB-encoded component, IEC 61966-2-1, and back.
+/// Linear light of an sRGB-encoded component, IEC 61966-2-1; encodeSrgb() goes back.
 float linearOfSrgb(float encoded);
-float srgbOfLinear(float linear);
 
 /// Perceived lightness L* (CIE 1976, white point D65) of an sRGB-encoded colour, 0 to 100.
 float lightness(const Eigen::Vector3f& srgb);

@@ -77,7 +77,8 @@ class ParticlePlayback : public core::ParticleSource {
   core::Plan plan() const override {
     core::Plan plan = planOfStored(frame_);
     if (files_.size() > 1) {
-      plan.stages.push_back({"read frame", {"file"}, {"positions", "velocities", "densities", "ids", "pressures", "fluids"}});
+      plan.stages.push_back(
+          {"read frame", {"file"}, {"positions", "velocities", "densities", "ids", "pressures", "fluids"}});
     } else {
       plan.leftOut.insert(plan.leftOut.begin(), {"read frame", "a single file, which stays as it is"});
     }

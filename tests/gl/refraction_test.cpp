@@ -38,9 +38,10 @@ std::string surroundings(double floorHeight, const std::string& absorption) {
 /// Red of an expression of clear_body.glsl, over a scene of 1024 rows whose radiance is that of `row`.
 float evaluate(const std::string& around, const std::string& expression, float (*row)(float)) {
   // The library refers to texts; it does not own them.
-  const std::string main = around + "#include \"fresnel.glsl\"\n#include \"picture_place.glsl\"\n" +
-                           "#include \"refraction.glsl\"\n#include \"clear_body.glsl\"\nout float value;\nvoid main() { value = " + expression +
-                           "; }\n";
+  const std::string main =
+      around + "#include \"fresnel.glsl\"\n#include \"picture_place.glsl\"\n" +
+      "#include \"refraction.glsl\"\n#include \"clear_body.glsl\"\nout float value;\nvoid main() { value = " +
+      expression + "; }\n";
   const std::string fresnel = read("fresnel.glsl");
   const std::string place = read("picture_place.glsl");
   const std::string refraction = read("refraction.glsl");

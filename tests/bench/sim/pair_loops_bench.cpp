@@ -17,8 +17,8 @@ constexpr int kEdge = 31;  // 29,791 particles
 struct Lattice {
   CellGrid grid{CellGeometry::covering({kEdge * kSpacing, kEdge* kSpacing, kEdge* kSpacing}, kSupport, 1 << 20)};
   std::vector<Float4> positions;
-  PairScale scale{{3, KernelKind::CubicSpline, kSpacing, kSupport,
-                   particleVolume(KernelKind::CubicSpline, kSpacing, kSupport)}};
+  PairScale scale{
+      {3, KernelKind::CubicSpline, kSpacing, kSupport, particleVolume(KernelKind::CubicSpline, kSpacing, kSupport)}};
 
   Lattice() {
     std::vector<Float4> points;

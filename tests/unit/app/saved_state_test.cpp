@@ -25,7 +25,7 @@ v1::Scene splash() {
       container { min { x: 0 y: 0 z: 0 } max { x: 1.2 y: 1 z: 0.5 } }
       fluids { blocks { first_particle { x: 0.05 y: 0.05 z: 0.05 } count_x: 8 count_y: 14 count_z: 9 } }
     }
-    foam { trapped_air: 100 wave_crests: 100 })",
+    foam { trapped_air: 100 wave_crests: 100 max_particles: 1000 })",
                       "splash");
 }
 

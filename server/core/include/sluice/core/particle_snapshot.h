@@ -19,10 +19,10 @@ struct StepStatistics {
   std::uint32_t densityIterations = 0;
   std::uint32_t divergenceIterations = 0;
   std::uint32_t viscosityIterations = 0;  ///< Of implicit viscosity; 0 where it did not run.
-  double meanDensityError = 0;  ///< Mean compression relative to the rest density (0.0005 is 0.05 %).
-  double maxDensityError = 0;   ///< Largest compression of any particle, likewise.
-  double maxSpeed = 0;          ///< m/s.
-  StageTimes stages;            ///< Milliseconds of each stage of the last step.
+  double meanDensityError = 0;            ///< Mean compression relative to the rest density (0.0005 is 0.05 %).
+  double maxDensityError = 0;             ///< Largest compression of any particle, likewise.
+  double maxSpeed = 0;                    ///< m/s.
+  StageTimes stages;                      ///< Milliseconds of each stage of the last step.
 };
 
 /// What a secondary particle is: it moves, ages and looks accordingly.
