@@ -79,6 +79,8 @@ class FoamSource : public core::ParticleSource {
 
   std::string halted() const override { return liquid_->halted(); }
 
+  std::vector<std::string> notices() const override { return liquid_->notices(); }
+
   core::Plan plan() const override {
     core::Plan plan = liquid_->plan();
     if (!isOn_ || !hasVelocities_) {

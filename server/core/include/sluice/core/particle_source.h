@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sluice/core/particle_snapshot.h"
 #include "sluice/core/plan.h"
@@ -39,6 +40,10 @@ class ParticleSource {
 
   /// Why the source can not go on; empty while it can.
   virtual std::string halted() const { return {}; }
+
+  /// What the source had to change in what the scene asks for, or takes in a way that a person may not expect: a
+  /// sentence each, known from the start on.
+  virtual std::vector<std::string> notices() const { return {}; }
 
   /// What a step does and what it leaves out.
   virtual Plan plan() const = 0;
