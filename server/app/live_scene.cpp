@@ -1,5 +1,7 @@
 #include "sluice/app/live_scene.h"
 
+#include <cstdio>
+
 #include "sluice/core/input_error.h"
 #include "sluice/scene/scene.h"
 #include "sluice/sim/simulation.h"
@@ -50,7 +52,9 @@ LiveScene loadScene(const std::string& nameOrPath, const std::vector<std::string
 
 std::unique_ptr<core::ParticleSource> openSource(const v1::Scene& scene, int threads) {
   // Whether or not the scene has foam: a viewer may switch it on while the source runs.
-  return sources::withFoam(openLiquid(scene, threads), scene, threads);
+  std::unique_ptr<core::ParticleSource> source = sources::withFoam(openLiquid(scene, threads), scene, threads);
+  for (const std::string& notice : source->notices()) std::fprintf(stderr, "sluice-server: %s\n", notice.c_str());
+  return source;
 }
 
 }  // namespace sluice::app

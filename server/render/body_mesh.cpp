@@ -147,15 +147,6 @@ BodyMesh makeMesh(const particleio::TriangleMesh& file, float scale) {
   return mesh;
 }
 
-Eigen::Isometry3f poseOf(const v1::Body& body) {
-  const Vector3f turn = static_cast<float>(std::numbers::pi / 180) * toVector(body.rotation_degrees());
-  Eigen::Isometry3f pose = Eigen::Isometry3f::Identity();
-  pose.translate(toVector(body.position()));
-  pose.rotate(Eigen::AngleAxisf(turn.z(), Vector3f::UnitZ()) * Eigen::AngleAxisf(turn.y(), Vector3f::UnitY()) *
-              Eigen::AngleAxisf(turn.x(), Vector3f::UnitX()));
-  return pose;
-}
-
 Eigen::Isometry3f poseOf(const core::BodyPose& pose) {
   Eigen::Isometry3f result = Eigen::Isometry3f::Identity();
   result.translate(pose.position);

@@ -35,8 +35,7 @@ BodyMesh makeCylinder(const v1::CylinderShape& cylinder);
 /// their angles there [Thürmer & Wüthrich 1998, Computing vertex normals from polygonal facets].
 BodyMesh makeMesh(const particleio::TriangleMesh& file, float scale);
 
-/// From the body's own axes to the scene: where the scene puts it, or where it has moved to.
-Eigen::Isometry3f poseOf(const v1::Body& body);
+/// From a body's own axes to where it has moved to in the scene.
 Eigen::Isometry3f poseOf(const core::BodyPose& pose);
 
 }  // namespace sluice::render

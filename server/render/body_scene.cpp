@@ -5,6 +5,7 @@
 
 #include "frame_uniforms.h"
 #include "same.h"
+#include "sluice/scene/convert.h"
 
 namespace sluice::render {
 
@@ -77,7 +78,7 @@ void BodyScene::update(const v1::Scene& scene, std::span<const core::BodyPose> p
   for (int i = 0; i < scene.bodies_size(); ++i) {
     const v1::Body& body = scene.bodies(i);
     const auto k = static_cast<std::size_t>(i);
-    bodies.push_back({modelOf(body), k < poses.size() ? poseOf(poses[k]) : poseOf(body), body});
+    bodies.push_back({modelOf(body), k < poses.size() ? poseOf(poses[k]) : scene::toPose(body), body});
   }
   bodies_ = std::move(bodies);
   std::erase_if(models_, [](const auto& entry) { return entry.second.use_count() == 1; });

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <google/protobuf/util/message_differencer.h>
 
 #include "annotations.h"
@@ -72,6 +74,22 @@ bool needsRestart(const Message& before, const Message& after, bool underSource)
   return false;
 }
 
+/// What a simulation's walls are made of: a body without its name and what it looks like.
+v1::Body wallOf(v1::Body body) {
+  body.clear_name();
+  body.clear_material();
+  if (body.has_mesh()) body.mutable_mesh()->clear_normals();
+  return body;
+}
+
+/// Whether bodies that a simulated fluid flows around have changed. Elsewhere they are only drawn.
+bool wallsDiffer(const v1::Scene& before, const v1::Scene& after) {
+  return after.has_simulation() &&
+         !std::ranges::equal(before.bodies(), after.bodies(), [](const v1::Body& a, const v1::Body& b) {
+           return MessageDifferencer::Equals(wallOf(a), wallOf(b));
+         });
+}
+
 /// Looks that an update has given as a whole have their presets under them.
 void applyPresetsOf(v1::Scene& scene, const google::protobuf::FieldMask& mask) {
   for (const std::string& path : mask.paths()) {
@@ -101,7 +119,7 @@ Update applyUpdate(const v1::Scene& current, const v1::Scene& partial, const goo
   applyPresetsOf(update.scene, mask);
   complete(update.scene);
   validate(update.scene);
-  update.restart = needsRestart(current, update.scene, false);
+  update.restart = needsRestart(current, update.scene, false) || wallsDiffer(current, update.scene);
   return update;
 }
 

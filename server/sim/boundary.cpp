@@ -21,12 +21,6 @@ std::array<std::int64_t, 3> intervals(const Container& container, double spacing
   return n;
 }
 
-/// Layers of boundary particles that the support reaches into from where the lowest layer of fluid lies, one spacing
-/// above the face: with fewer, a wide kernel would feel too little of a wall to stay away from it.
-std::int64_t layersOf(double spacing, double support) {
-  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(support / spacing - 1e-6)) - 1);
-}
-
 /// Points of the faces of an (nx+1)(ny+1)(nz+1) lattice that fills the box, and of layers - 1 shells around it.
 std::vector<Float4> samplePoints(const Container& container, double spacing, std::int64_t layers) {
   const std::array<std::int64_t, 3> n = intervals(container, spacing);
@@ -99,11 +93,15 @@ double wallCalibration(const Discretisation& discretisation, std::int64_t layers
 
 }  // namespace
 
-double BoxBoundary::expectedCount(const Container& container, double spacing, double support) {
-  const std::int64_t shells = layersOf(spacing, support) - 1;
+int boundaryLayers(const Discretisation& discretisation) {
+  return std::max(1, static_cast<int>(std::ceil(discretisation.support / discretisation.spacing - 1e-6)) - 1);
+}
+
+double Boundary::expectedCount(const Container& container, const Discretisation& discretisation) {
+  const int shells = boundaryLayers(discretisation) - 1;
   double outer = 1;
   double inner = 1;
-  const std::array<std::int64_t, 3> n = intervals(container, spacing);
+  const std::array<std::int64_t, 3> n = intervals(container, discretisation.spacing);
   for (std::size_t axis = 0; axis < container.walledAxes(); ++axis) {
     outer *= static_cast<double>(n[axis] + 1 + 2 * shells);
     inner *= static_cast<double>(n[axis] - 1);
@@ -111,16 +109,21 @@ double BoxBoundary::expectedCount(const Container& container, double spacing, do
   return outer - inner;
 }
 
-BoxBoundary::BoxBoundary(const Container& container, const Discretisation& discretisation, const CellGeometry& geometry,
-                         const Team& team)
+Boundary::Boundary(const Container& container, const Bodies& bodies, const Discretisation& discretisation,
+                   const CellGeometry& geometry, const Team& team)
     : grid_(geometry) {
-  const std::int64_t layers = layersOf(discretisation.spacing, discretisation.support);
-  const std::vector<Float4> points = samplePoints(container, discretisation.spacing, layers);
+  const int layers = boundaryLayers(discretisation);
+  std::vector<Float4> points = samplePoints(container, discretisation.spacing, layers);
+  std::vector<double> calibrations(points.size(), wallCalibration(discretisation, layers));
+  const double thinCalibration = layers == 1 ? calibrations.front() : wallCalibration(discretisation, 1);
+  for (const Bodies::Sample& sample : bodies.samples()) {
+    points.push_back(sample.position);
+    calibrations.push_back(sample.layers == 1 ? thinCalibration : calibrations.front());
+  }
   grid_.sort(points, team);
   points_.resize(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) points_[k] = points[grid_.order()[k]];
 
-  const double calibration = wallCalibration(discretisation, layers);
   volumes_.resize(points_.size());
   withKernel(discretisation.kernel, [&]<class Kernel>(Kernel) {
     team.forEachChunk(points_.size(), [&](const Chunk& chunk) {
@@ -136,7 +139,7 @@ BoxBoundary::BoxBoundary(const Container& container, const Discretisation& discr
                                        discretisation.dimensions);
           }
         }
-        volumes_[b] = static_cast<float>(calibration / sum / discretisation.volume);
+        volumes_[b] = static_cast<float>(calibrations[grid_.order()[b]] / sum / discretisation.volume);
       }
     });
   });

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "bodies.h"
 #include "cell_grid.h"
 #include "container.h"
 #include "discretisation.h"
@@ -10,18 +11,23 @@
 
 namespace sluice::sim {
 
-/// Boundary particles on the inner faces of a box whose lower corner is the origin, Akinci et al. 2012: each carries
+/// Layers of boundary particles that the support reaches into from where the lowest layer of fluid lies, one spacing
+/// above the face: with fewer, a wide kernel would feel too little of a wall to stay away from it.
+int boundaryLayers(const Discretisation& discretisation);
+
+/// Boundary particles on the container's inner faces and the bodies' surfaces, Akinci et al. 2012: each carries
 /// the pseudo-volume V_b = γ / Σ_k W_bk over the boundary particles around it, so that densely and sparsely sampled
 /// places count alike. γ makes up for there being few layers of them, one for
 /// supports of up to two spacings, behind one another for wider ones: it is chosen so that a lattice of fluid whose
 /// lowest layer lies one spacing from a face has exactly the rest density there. A planar scene has them on four edges.
-class BoxBoundary {
+/// Where a body stands on a face, or two touch, all are counted together, so that a joint weighs no more than a face.
+class Boundary {
  public:
-  BoxBoundary(const Container& container, const Discretisation& discretisation, const CellGeometry& geometry,
-              const Team& team);
+  Boundary(const Container& container, const Bodies& bodies, const Discretisation& discretisation,
+           const CellGeometry& geometry, const Team& team);
 
-  /// Particles that the box would be sampled with, before any are made.
-  static double expectedCount(const Container& container, double spacing, double support);
+  /// Particles that the container would be sampled with, before any are made.
+  static double expectedCount(const Container& container, const Discretisation& discretisation);
 
   std::size_t size() const { return points_.size(); }
 

@@ -36,26 +36,37 @@ CellGeometry cellsOf(const Container& container, double support, double particle
                                 static_cast<std::uint64_t>(std::max(kFewCells, kCellsPerParticle * particles)));
 }
 
-double checkedBoundaryCount(const Container& container, const Discretisation& discretisation) {
-  const double count = BoxBoundary::expectedCount(container, discretisation.spacing, discretisation.support);
-  const double limit = 0.5 * static_cast<double>(availableMemory()) / static_cast<double>(kBytesPerBoundaryParticle);
-  if (count > std::min(limit, 4e9)) {
+/// How many boundary particles there will be, about. Throws where the container or a body needs more than memory
+/// allows.
+double checkedBoundaryCount(const Container& container, const Bodies& bodies, const Discretisation& discretisation) {
+  // Particles are numbered with 32 bits; 0.5: the fluid needs memory too.
+  const double affordable =
+      0.5 * static_cast<double>(availableMemory()) / static_cast<double>(kBytesPerBoundaryParticle);
+  const double limit = std::min(affordable, 4e9);
+  const auto check = [&](double count, const std::string& path, const std::string& what) {
+    if (count <= limit) return;
     std::ostringstream problem;
-    problem << "the container's faces would need " << count << " boundary particles; this machine's free memory allows "
-            << std::min(limit, 4e9) << ": use a smaller container or a larger particle_spacing";
-    throw core::InputError("", "simulation.container", problem.str());
+    problem << what << " would need " << count << " boundary particles; this machine's free memory allows " << limit
+            << ": use a smaller one or a larger particle_spacing";
+    throw core::InputError("", path, problem.str());
+  };
+  double count = Boundary::expectedCount(container, discretisation);
+  check(count, "simulation.container", "the container's faces");
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    count += bodies.expectedSamples(k);
+    check(count, "bodies[" + std::to_string(k) + "]", "the body and what comes before it");
   }
   return count;
 }
 
-ParticleState checkedInitialState(const v1::Simulation& settings, const Container& container,
-                                  const Discretisation& discretisation) {
+InitialState checkedInitialState(const v1::Simulation& settings, const Container& container, const Bodies& bodies,
+                                 const Discretisation& discretisation) {
   // Particles are numbered with 32 bits, of which the pair loops use the sign.
   constexpr std::uint64_t kMostParticles = (std::uint64_t{1} << 31) - 1;
   // 0.8: the rest of the program needs memory too.
   const auto affordable =
       static_cast<std::uint64_t>(0.8 * static_cast<double>(availableMemory())) / bytesPerParticle(discretisation);
-  return initialState(settings, container, std::min(affordable, kMostParticles));
+  return initialState(settings, container, bodies, std::min(affordable, kMostParticles));
 }
 
 void checkPlanar(const v1::Simulation& settings) {
@@ -92,26 +103,34 @@ void copyLiveFields(const v1::Simulation& from, v1::Simulation& to) {
 
 }  // namespace
 
-FluidSimulation::FluidSimulation(const v1::Simulation& settings, const SimulationOptions& options)
+FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::List& bodies,
+                                 const SimulationOptions& options)
     : settings_(settings),
       options_(options),
       team_(threadCount(options.threads)),
       mixture_(settings),
       container_(containerOf(settings)),
       discretisation_(discretisationOf(settings)),
-      boundary_(container_, discretisation_,
-                cellsOf(container_, discretisation_.support, checkedBoundaryCount(container_, discretisation_)), team_),
+      bodies_(bodies, container_, discretisation_, boundaryLayers(discretisation_)),
+      boundary_(
+          container_, bodies_, discretisation_,
+          cellsOf(container_, discretisation_.support, checkedBoundaryCount(container_, bodies_, discretisation_)),
+          team_),
+      walls_(container_, discretisation_.spacing, bodies_, boundary_.grid().geometry()),
       grid_(boundary_.grid().geometry()),
       lists_(options.loops != nullptr ? *options.loops : bestPairLoops(), PairScale(discretisation_)),
       solver_(makePressureSolver(settings)),
       surfaceTension_(makeSurfaceTension(settings)) {
   checkPlanar(settings);
-  reset();
-  checkOverlaps();
+  checkOverlaps(startAnew());
 }
 
-void FluidSimulation::reset() {
-  state_ = checkedInitialState(settings_, container_, discretisation_);
+void FluidSimulation::reset() { startAnew(); }
+
+InitialState FluidSimulation::startAnew() {
+  InitialState initial = checkedInitialState(settings_, container_, bodies_, discretisation_);
+  state_ = std::move(initial.particles);
+  takenOut_ = initial.takenOut;
   solver_->reset(state_, container_);
   if (settings_.has_micropolar()) MicropolarModel::reset(state_);
   statistics_ = {};
@@ -138,9 +157,10 @@ void FluidSimulation::reset() {
   statistics_.maxSpeed = maxSpeed_;
   statistics_.stages.clear();
   findBoundaryInReach();
+  return initial;
 }
 
-void FluidSimulation::checkOverlaps() const {
+void FluidSimulation::checkOverlaps(const InitialState& initial) const {
   // Touching blocks may stand a little closer than the lattice; half-way into each other's spacing they would burst.
   constexpr double kClosest = 0.75;
   const double closest = kClosest * settings_.particle_spacing();
@@ -155,9 +175,9 @@ void FluidSimulation::checkOverlaps() const {
         if (distance >= closest) continue;
         const auto [earlier, later] = std::minmax(state_.id[i], state_.id[j]);
         std::ostringstream problem;
-        problem << "the block overlaps " << blockOf(settings_, earlier) << ": two particles are " << distance
+        problem << "the block overlaps " << initial.blockOf(earlier) << ": two particles are " << distance
                 << " m apart, at least " << closest << " m is allowed";
-        throw core::InputError("", blockOf(settings_, later) + ".first_particle", problem.str());
+        throw core::InputError("", initial.blockOf(later) + ".first_particle", problem.str());
       }
     }
   }
@@ -242,7 +262,19 @@ core::Plan FluidSimulation::plan() const {
   add("cells", (grid_.starts().size() + 3 * particles) * sizeof(std::uint32_t));
   add("boundary", boundary_.size() * (sizeof(Float4) + sizeof(float)) +
                       (boundary_.grid().starts().size() + 3 * boundary_.size()) * sizeof(std::uint32_t));
+  if (!bodies_.empty()) add("bodies near cells", walls_.bytes());
   return plan;
+}
+
+std::vector<std::string> FluidSimulation::notices() const {
+  std::vector<std::string> notices = bodies_.notices();
+  for (std::size_t k = 0; k < takenOut_.size(); ++k) {
+    if (takenOut_[k] == 0) continue;
+    notices.push_back(std::to_string(takenOut_[k]) + (takenOut_[k] == 1 ? " particle was" : " particles were") +
+                      " taken out that would have started inside " + bodies_.nameOf(k) +
+                      " or nearer than half a spacing to its surface");
+  }
+  return notices;
 }
 
 }  // namespace sluice::sim

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "bodies.h"
 #include "boundary.h"
 #include "cell_grid.h"
 #include "container.h"
@@ -24,6 +25,7 @@
 #include "time_step.h"
 #include "viscosity_explicit.h"
 #include "viscosity_weiler2018.h"
+#include "walls.h"
 
 namespace sluice::sim {
 
@@ -35,12 +37,16 @@ struct SimulationOptions {
   bool keepInertStages = false;
 };
 
-/// SPH in a closed box. A step runs the stages of its StepPlan, no others; which they are follows from the methods that
-/// the scene chooses. A step that would leave a state that cannot be right is taken back and tried again with half the
-/// length. Used by one thread; loops run on an OpenMP team.
+/// SPH in a closed box, around bodies. A step runs the stages of its StepPlan, no others; which they are follows from
+/// the methods that the scene chooses. A step that would leave a state that cannot be right is taken back and tried
+/// again with half the length. Used by one thread; loops run on an OpenMP team.
 class FluidSimulation : public core::ParticleSource {
  public:
-  explicit FluidSimulation(const v1::Simulation& settings, const SimulationOptions& options = {});
+  explicit FluidSimulation(const v1::Simulation& settings, const SimulationOptions& options = {})
+      : FluidSimulation(settings, {}, options) {}
+
+  /// With the scene's bodies as walls. They stay as they are: `update` leaves them alone.
+  FluidSimulation(const v1::Simulation& settings, const Bodies::List& bodies, const SimulationOptions& options = {});
 
   bool advance() override;
   void stopAt(double seconds) override { stop_ = seconds; }
@@ -54,19 +60,22 @@ class FluidSimulation : public core::ParticleSource {
   void resume(core::StateReader& in) override;
   std::string halted() const override { return halted_; }
   core::Plan plan() const override;
+  std::vector<std::string> notices() const override;
 
   /// The present particles, in the order of the last sort, relative to the container's lower corner.
   const ParticleState& state() const { return state_; }
   const NeighbourLists& neighbours() const { return lists_; }
-  const BoxBoundary& boundary() const { return boundary_; }
+  const Boundary& boundary() const { return boundary_; }
+  const Bodies& bodies() const { return bodies_; }
   /// The fluids; the state's impulses times mixture().heaviest() over the step's length are pressures.
   const Mixture& mixture() const { return mixture_; }
   core::StepStatistics statistics() const override { return statistics_; }
-  /// Particles that have been held at the container's faces by force, since the initial state.
+  /// Particles that have been held at walls by force, since the initial state.
   std::uint64_t wallContacts() const { return wallContacts_; }
 
  private:
-  void checkOverlaps() const;
+  void checkOverlaps(const InitialState& initial) const;
+  InitialState startAnew();
   TimeStepInputs timeStepInputs() const;
   StepTraits traits() const;
   StepPlan currentPlan() const;
@@ -92,7 +101,9 @@ class FluidSimulation : public core::ParticleSource {
   Mixture mixture_;
   Container container_;
   Discretisation discretisation_;
-  BoxBoundary boundary_;
+  Bodies bodies_;
+  Boundary boundary_;
+  Walls walls_;
 
   ParticleState state_;
   /// The state before the last sort, whose k-th particle is now grid_.order()'s: what a step is taken back to.
@@ -122,6 +133,7 @@ class FluidSimulation : public core::ParticleSource {
   bool boundaryInReach_ = true;
   std::uint64_t wallContacts_ = 0;
   std::string halted_;
+  std::vector<std::uint64_t> takenOut_;  ///< Of each body: particles that it leaves no room for at the start.
   core::StepStatistics statistics_;
 };
 

@@ -8,7 +8,6 @@
 #include "fluid_simulation.h"
 #include "move_check.h"
 #include "sluice/core/stage_times.h"
-#include "walls.h"
 
 namespace sluice::sim {
 
@@ -101,6 +100,7 @@ StepContext FluidSimulation::beginStep() {
   return {.discretisation = discretisation_,
           .container = container_,
           .boundary = boundary_,
+          .walls = walls_,
           .mixture = mixture_,
           .team = team_,
           .grid = grid_,
@@ -214,15 +214,14 @@ void FluidSimulation::applyGravity(const StepContext& step) {
 void FluidSimulation::move(StepContext& step) {
   step.maxSpeed = checkedMaxSpeed(step);
   if (!step.trouble.empty()) return;
-  const Walls walls(container_, discretisation_.spacing);
   const auto seconds = static_cast<float>(step.seconds);
   const auto held = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
     Count part;
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
       Float4& x = state_.position[i];
       Float4& v = state_.velocity[i];
-      x = {x.x + seconds * v.x, x.y + seconds * v.y, x.z + seconds * v.z, 0};
-      part.value += walls.hold(x, v) ? 1 : 0;
+      const Float4 to{x.x + seconds * v.x, x.y + seconds * v.y, x.z + seconds * v.z, 0};
+      part.value += walls_.move(x, v, to) ? 1 : 0;
     }
     return part;
   });
@@ -288,7 +287,8 @@ void FluidSimulation::findBoundaryInReach() {
       const auto nearFace = [&](double position, double size) { return position < reach || position > size - reach; };
       const auto& size = container_.size;
       const bool nearInZ = !container_.plane && nearFace(x.z, size[2]);
-      part.value += nearFace(x.x, size[0]) || nearFace(x.y, size[1]) || nearInZ ? 1 : 0;
+      const bool nearContainer = nearFace(x.x, size[0]) || nearFace(x.y, size[1]) || nearInZ;
+      part.value += nearContainer || walls_.nearBodies(x) != 0 ? 1 : 0;
     }
     return part;
   });

@@ -1,5 +1,6 @@
 #include "initial_state.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -28,6 +29,9 @@ std::string blockPath(int fluid, int block) {
 }
 
 constexpr char kAxes[] = "xyz";
+
+/// How far from a body's surface a particle has to start, in spacings: half of one, and what decimal fractions lack.
+constexpr double kStartingDistance = 0.495;
 
 /// Throws where a block does not keep its distance from the container's faces.
 void checkInside(const v1::Block& block, const std::string& path, const Container& container, double spacing) {
@@ -77,51 +81,70 @@ void checkCount(const v1::Simulation& simulation, std::uint64_t limit) {
   if (total == 0) throw core::InputError("", "simulation.fluids", "the scene has no particles; it needs at least one");
 }
 
+/// Adds the particles of a block that bodies leave room for.
+void addParticles(const v1::Block& block, const std::string& path, double spacing, const Container& container,
+                  const Bodies& bodies, InitialState& state) {
+  const Triple first = toTriple(block.first_particle());
+  const auto place = [&](std::size_t axis, std::uint32_t step) {
+    return static_cast<float>(first[axis] - container.origin[axis] + spacing * step);
+  };
+  std::vector<Float4>& position = state.particles.position;
+  const std::size_t before = position.size();
+  std::size_t lastBody = 0;
+  position.reserve(before + particlesOf(block));
+  for (std::uint32_t k = 0; k < block.count_z(); ++k) {
+    for (std::uint32_t j = 0; j < block.count_y(); ++j) {
+      for (std::uint32_t i = 0; i < block.count_x(); ++i) {
+        const Float4 x{place(0, i), place(1, j), place(2, k), 0};
+        if (const auto body = bodies.bodyAt({x.x, x.y, x.z}, kStartingDistance * spacing)) {
+          lastBody = *body;
+          ++state.takenOut[lastBody];
+          continue;
+        }
+        position.push_back(x);
+      }
+    }
+  }
+  if (position.size() > before) return;
+  throw core::InputError("", path,
+                         "the whole block lies inside " + bodies.nameOf(lastBody) +
+                             " or another body, or nearer than half a spacing to its surface: nothing is left of it");
+}
+
 }  // namespace
 
-ParticleState initialState(const v1::Simulation& simulation, const Container& container, std::uint64_t particleLimit) {
+const std::string& InitialState::blockOf(std::uint32_t id) const {
+  const auto end = std::ranges::upper_bound(blockEnds, std::uint64_t{id});
+  return blocks[static_cast<std::size_t>(end - blockEnds.begin())];
+}
+
+InitialState initialState(const v1::Simulation& simulation, const Container& container, const Bodies& bodies,
+                          std::uint64_t particleLimit) {
   const double spacing = simulation.particle_spacing();
   checkCount(simulation, particleLimit);
 
-  ParticleState state;
+  InitialState initial;
+  initial.takenOut.resize(bodies.size());
+  ParticleState& state = initial.particles;
   for (int f = 0; f < simulation.fluids_size(); ++f) {
     for (int b = 0; b < simulation.fluids(f).blocks_size(); ++b) {
       const v1::Block& block = simulation.fluids(f).blocks(b);
-      checkInside(block, blockPath(f, b), container, spacing);
-      if (container.plane) checkPlanar(block, blockPath(f, b), container);
-      const Triple first = toTriple(block.first_particle());
+      const std::string path = blockPath(f, b);
+      checkInside(block, path, container, spacing);
+      if (container.plane) checkPlanar(block, path, container);
+      addParticles(block, path, spacing, container, bodies, initial);
+      initial.blocks.push_back(path);
+      initial.blockEnds.push_back(state.size());
       const Float4 velocity{static_cast<float>(block.velocity().x()), static_cast<float>(block.velocity().y()),
                             static_cast<float>(block.velocity().z()), 0};
-      const auto place = [&](std::size_t axis, std::uint32_t step) {
-        return static_cast<float>(first[axis] - container.origin[axis] + spacing * step);
-      };
-      state.position.reserve(state.position.size() + particlesOf(block));
-      for (std::uint32_t k = 0; k < block.count_z(); ++k) {
-        for (std::uint32_t j = 0; j < block.count_y(); ++j) {
-          for (std::uint32_t i = 0; i < block.count_x(); ++i) {
-            state.position.push_back({place(0, i), place(1, j), place(2, k), 0});
-          }
-        }
-      }
-      state.velocity.resize(state.position.size(), velocity);
-      if (simulation.fluids_size() > 1) state.fluid.resize(state.position.size(), static_cast<std::uint8_t>(f));
+      state.velocity.resize(state.size(), velocity);
+      if (simulation.fluids_size() > 1) state.fluid.resize(state.size(), static_cast<std::uint8_t>(f));
     }
   }
   state.densityImpulse.resize(state.size());
   state.id.resize(state.size());
   for (std::uint32_t i = 0; i < state.size(); ++i) state.id[i] = i;
-  return state;
-}
-
-std::string blockOf(const v1::Simulation& simulation, std::uint32_t id) {
-  std::uint64_t end = 0;
-  for (int f = 0; f < simulation.fluids_size(); ++f) {
-    for (int b = 0; b < simulation.fluids(f).blocks_size(); ++b) {
-      end += particlesOf(simulation.fluids(f).blocks(b));
-      if (id < end) return blockPath(f, b);
-    }
-  }
-  return "simulation.fluids";
+  return initial;
 }
 
 }  // namespace sluice::sim

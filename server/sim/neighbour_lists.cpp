@@ -109,8 +109,8 @@ void NeighbourLists::find(const CellGrid& grid, const std::vector<Float4>& posit
   });
 }
 
-void NeighbourLists::addBoundary(const BoxBoundary& boundary, const CellGrid& grid,
-                                 const std::vector<Float4>& positions, const Team& team) {
+void NeighbourLists::addBoundary(const Boundary& boundary, const CellGrid& grid, const std::vector<Float4>& positions,
+                                 const Team& team) {
   team.forEachChunk(positions.size(), [&](const Chunk& chunk) {
     thread_local CandidateBuffer buffer;
     forEachCell(chunk, grid.cellOfSorted(), [&](std::uint32_t cell, std::uint32_t first, std::uint32_t last) {

@@ -22,7 +22,7 @@ class NeighbourLists {
   void find(const CellGrid& grid, const std::vector<Float4>& positions, const Team& team);
 
   /// Adds a boundary, whose grid has the geometry of the one given to `find`, to the sums.
-  void addBoundary(const BoxBoundary& boundary, const CellGrid& grid, const std::vector<Float4>& positions,
+  void addBoundary(const Boundary& boundary, const CellGrid& grid, const std::vector<Float4>& positions,
                    const Team& team);
 
   PairList chunk(const Chunk& chunk) const {

@@ -6,7 +6,6 @@
 #include "move_check.h"
 #include "pressure_factors.h"
 #include "sluice/core/check.h"
-#include "walls.h"
 
 namespace sluice::sim {
 
@@ -54,14 +53,14 @@ void PbfSolver::correct(StepContext& step) {
     lists.loops().applyImpulses(lists.chunk(chunk), mobility, impulse4_.data(), lists.gradientSum().data(),
                                 state.velocity.data(), corrected_.data());
   });
-  const Walls walls(step.container, step.discretisation.spacing);
   step.team.forEachChunk(state.size(), [&](const Chunk& chunk) {
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
       Float4& x = state.position[i];
       Float4& v = corrected_[i];
       const Float4& before = state.velocity[i];
-      x = {x.x + seconds * (v.x - before.x), x.y + seconds * (v.y - before.y), x.z + seconds * (v.z - before.z), 0};
-      walls.hold(x, v);
+      step.walls.move(
+          x, v,
+          {x.x + seconds * (v.x - before.x), x.y + seconds * (v.y - before.y), x.z + seconds * (v.z - before.z), 0});
     }
   });
   state.velocity.swap(corrected_);

@@ -7,7 +7,7 @@ namespace sluice::sim {
 
 std::unique_ptr<core::ParticleSource> makeSimulation(const v1::Scene& scene, int threads) {
   if (!scene.has_simulation()) throw core::InputError("", "simulation", "the scene has no simulation");
-  return std::make_unique<FluidSimulation>(scene.simulation(), SimulationOptions{.threads = threads});
+  return std::make_unique<FluidSimulation>(scene.simulation(), scene.bodies(), SimulationOptions{.threads = threads});
 }
 
 }  // namespace sluice::sim

@@ -11,6 +11,7 @@
 #include "particles.h"
 #include "sluice/core/particle_snapshot.h"
 #include "team.h"
+#include "walls.h"
 
 namespace sluice::sim {
 
@@ -18,7 +19,8 @@ namespace sluice::sim {
 struct StepContext {
   const Discretisation& discretisation;
   const Container& container;
-  const BoxBoundary& boundary;
+  const Boundary& boundary;
+  const Walls& walls;
   const Mixture& mixture;
   const Team& team;
   const CellGrid& grid;
@@ -29,7 +31,7 @@ struct StepContext {
   double seconds = 0;               ///< Length of this step, s.
   double lastSeconds = 0;           ///< Of the last step that was taken; 0 before the first.
   double maxCompression = 1;        ///< ρ/ρ0 - 1 of any particle beyond which the step is taken back.
-  bool boundaryInReach = true;      ///< A particle may come within the support radius of the container.
+  bool boundaryInReach = true;      ///< A particle may come within the support radius of a wall.
   double maxSpeed = 0;              ///< max |v| after the move, m/s.
   double pressureAcceleration = 0;  ///< max |a| of an explicit pressure force, m/s².
   std::string trouble;              ///< Why the step cannot be taken, for people; empty while it can.

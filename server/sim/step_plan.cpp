@@ -114,7 +114,7 @@ std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation,
       if (isZero(simulation.gravity())) return "gravity is 0";
       break;
     case Stage::Boundary:
-      if (!traits.boundaryInReach) return "no particle is near the container";
+      if (!traits.boundaryInReach) return "no particle is near a wall";
       break;
     default:
       break;

@@ -110,6 +110,8 @@ class FoamSource : public core::ParticleSource {
     stages_.clear();
   }
 
+  std::vector<std::string> notices() const override { return liquid_->notices(); }
+
   core::Plan plan() const override {
     core::Plan plan = liquid_->plan();
     if (!isOn_ || !hasVelocities_) {

@@ -14,17 +14,20 @@ namespace {
 constexpr double kSpacing = 0.05;
 constexpr double kSupport = 0.1;
 
-BoxBoundary boxOf(const std::array<double, 3>& size) {
-  return {{{}, size, {}},
-          {3, KernelKind::CubicSpline, kSpacing, kSupport, particleVolume(KernelKind::CubicSpline, kSpacing, kSupport)},
-          CellGeometry::covering(size, kSupport, 1 << 16),
-          Team(1)};
+Discretisation discretisationOf(KernelKind kernel, double support) {
+  return {3, kernel, kSpacing, support, particleVolume(kernel, kSpacing, support)};
 }
 
-TEST(BoxBoundary, CoversTheFacesAndNothingElse) {
+const Discretisation kCubic = discretisationOf(KernelKind::CubicSpline, kSupport);
+
+Boundary boxOf(const std::array<double, 3>& size) {
+  return {{{}, size, {}}, {}, kCubic, CellGeometry::covering(size, kSupport, 1 << 16), Team(1)};
+}
+
+TEST(Boundary, CoversTheFacesAndNothingElse) {
   const std::array<double, 3> size{0.5, 0.7, 0.62};
-  const BoxBoundary box = boxOf(size);
-  EXPECT_EQ(static_cast<double>(box.size()), BoxBoundary::expectedCount({{}, size, {}}, kSpacing, kSupport));
+  const Boundary box = boxOf(size);
+  EXPECT_EQ(static_cast<double>(box.size()), Boundary::expectedCount({{}, size, {}}, kCubic));
   // 10 × 14 × 13 intervals.
   EXPECT_EQ(box.size(), 11U * 15 * 14 - 9U * 13 * 12);
   for (const Float4& p : box.points()) {
@@ -35,17 +38,15 @@ TEST(BoxBoundary, CoversTheFacesAndNothingElse) {
   }
 }
 
-TEST(BoxBoundary, WideSupportsHaveWallsOfSeveralLayers) {
+TEST(Boundary, WideSupportsHaveWallsOfSeveralLayers) {
   const Container container{{}, {0.5, 0.5, 0.5}, {}};
   for (const int layers : {1, 2, 3}) {
     const double support = (layers + 1) * kSpacing;
-    const BoxBoundary box(
-        container,
-        {3, KernelKind::WendlandC2, kSpacing, support, particleVolume(KernelKind::WendlandC2, kSpacing, support)},
-        CellGeometry::covering(container.size, support, 1 << 16), Team(1));
+    const Discretisation wide = discretisationOf(KernelKind::WendlandC2, support);
+    const Boundary box(container, {}, wide, CellGeometry::covering(container.size, support, 1 << 16), Team(1));
     const int across = 9 + 2 * layers;
     EXPECT_EQ(box.size(), static_cast<std::size_t>(across * across * across - 9 * 9 * 9));
-    EXPECT_EQ(BoxBoundary::expectedCount(container, kSpacing, support), static_cast<double>(box.size()));
+    EXPECT_EQ(Boundary::expectedCount(container, wide), static_cast<double>(box.size()));
     for (const Float4& p : box.points()) {
       const auto within = [](float x) { return x > 0.001F && x < 0.499F; };
       ASSERT_FALSE(within(p.x) && within(p.y) && within(p.z));
@@ -54,9 +55,9 @@ TEST(BoxBoundary, WideSupportsHaveWallsOfSeveralLayers) {
 }
 
 // V_b Σ_k W_bk is the same on a face, in an edge and in a corner, and for any spacing of the samples.
-TEST(BoxBoundary, VolumesMakeEverySampledPlaceCountAlike) {
+TEST(Boundary, VolumesMakeEverySampledPlaceCountAlike) {
   for (const std::array<double, 3>& size : {std::array<double, 3>{0.5, 0.5, 0.5}, {0.52, 0.37, 0.61}}) {
-    const BoxBoundary box = boxOf(size);
+    const Boundary box = boxOf(size);
     double reference = 0;
     for (std::size_t b = 0; b < box.size(); ++b) {
       double sum = 0;
@@ -75,7 +76,7 @@ TEST(BoxBoundary, VolumesMakeEverySampledPlaceCountAlike) {
 }
 
 // A lattice that fills a box, its outermost layers one spacing from the faces.
-TEST(BoxBoundary, FluidAtRestAgainstAFaceHasRestDensity) {
+TEST(Boundary, FluidAtRestAgainstAFaceHasRestDensity) {
   const FluidSimulation simulation(column(12, 12));
   const ParticleState& state = simulation.state();
   const double side = 13 * kSpacing;

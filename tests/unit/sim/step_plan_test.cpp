@@ -34,8 +34,7 @@ TEST(StepPlan, LeavesOutWhatASceneDoesNotNeed) {
       plan.leftOut,
       ElementsAre(core::LeftOut{"divergence solve", "switched off"}, core::LeftOut{"surface tension", "not asked for"},
                   core::LeftOut{"micropolar", "not asked for"}, core::LeftOut{"viscosity", "the viscosity is 0"},
-                  core::LeftOut{"gravity", "gravity is 0"},
-                  core::LeftOut{"boundary", "no particle is near the container"}));
+                  core::LeftOut{"gravity", "gravity is 0"}, core::LeftOut{"boundary", "no particle is near a wall"}));
 }
 
 TEST(StepPlan, DescribesEveryStageThatRuns) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sluice/core/particle_snapshot.h"
 #include "sluice/core/plan.h"
@@ -54,6 +55,10 @@ class ParticleSource {
   /// Takes over what a source of the same scene has saved: from here on it goes the way of that one, bit for bit.
   /// Throws InputError for a state of another scene; the source then is of no use any more.
   virtual void resume(StateReader& in) { in.fail("only a simulation can be resumed"); }
+
+  /// What the source had to change in what the scene asks for, or takes in a way that a person may not expect: a
+  /// sentence each, known from the start on.
+  virtual std::vector<std::string> notices() const { return {}; }
 
   /// What a step does and what it leaves out.
   virtual Plan plan() const = 0;

@@ -33,7 +33,7 @@ enum class Stage {
 /// What a plan needs to know of the particles.
 struct StepTraits {
   std::size_t particles = 0;
-  /// A particle may come within the support radius of the container in this step.
+  /// A particle may come within the support radius of a wall in this step.
   bool boundaryInReach = true;
   /// No particle has another within the support radius, or can get one in this step.
   bool freeFlight = false;

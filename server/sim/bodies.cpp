@@ -1,0 +1,132 @@
+#include "bodies.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "move_check.h"
+#include "sluice/core/check.h"
+#include "sluice/scene/convert.h"
+
+namespace sluice::sim {
+
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+AlignedBox3d boundsOf(const AlignedBox3d& own, const Isometry3d& pose) {
+  AlignedBox3d bounds;
+  for (int corner = 0; corner < 8; ++corner) {
+    bounds.extend(pose * own.corner(static_cast<AlignedBox3d::CornerType>(corner)));
+  }
+  return bounds;
+}
+
+Vector3d toVector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+Bodies::Bodies(const List& bodies, const Container& container, const Discretisation& discretisation, int layers)
+    : within_(Vector3d::Constant(-discretisation.support),
+              (toVector(container.size).array() + discretisation.support).matrix()),
+      reach_(discretisation.support + kLargestMove * discretisation.spacing) {
+  if (bodies.empty()) return;
+  if (container.plane) {
+    notices_.emplace_back("the scene is planar: its bodies are drawn, and hold no fluid");
+    return;
+  }
+  SLUICE_CHECK(bodies.size() <= 64);
+  for (int k = 0; k < bodies.size(); ++k) {
+    const std::string path = "bodies[" + std::to_string(k) + "]";
+    std::string name = path + " (" + bodies[k].name() + ")";
+    std::unique_ptr<const BodyShape> shape = makeBodyShape(bodies[k], path);
+    if (bodies[k].has_mesh() && !shape->isClosed()) {
+      notices_.push_back(name + " is a mesh with edges that do not have two faces: a thin wall without an inside");
+    }
+    Isometry3d pose = scene::toPose(bodies[k]).cast<double>();
+    pose.pretranslate(-toVector(container.origin));
+    const bool solid = shape->isClosed() && !bodies[k].has_glass();
+    const AlignedBox3d bounds = boundsOf(shape->bounds(), pose);
+    bodies_.push_back({std::move(shape),
+                       pose,
+                       pose.inverse(),
+                       bounds,
+                       {discretisation.spacing, solid ? layers : 1},
+                       solid,
+                       std::move(name)});
+  }
+}
+
+double Bodies::expectedSamples(std::size_t body) const {
+  const Placed& placed = bodies_[body];
+  return placed.shape->area(placed.sampling) / (placed.sampling.spacing * placed.sampling.spacing);
+}
+
+std::vector<Bodies::Sample> Bodies::samples() const {
+  std::vector<Sample> samples;
+  for (const Placed& body : bodies_) {
+    if (!within_.intersects(body.bounds)) continue;
+    body.shape->sample(body.sampling, [&](const Vector3d& own) {
+      const Vector3d x = body.toContainer * own;
+      if (!within_.contains(x)) return;
+      const Eigen::Vector3f place = x.cast<float>();
+      samples.push_back({{place.x(), place.y(), place.z(), 0}, body.sampling.layers});
+    });
+  }
+  return samples;
+}
+
+ClosestPoint Bodies::closest(const Vector3d& x, BodySet bodies, double reach) const {
+  ClosestPoint best;
+  for (; bodies != 0; bodies &= bodies - 1) {
+    const Placed& body = bodies_[static_cast<std::size_t>(std::countr_zero(bodies))];
+    const ClosestPoint found = body.shape->closest(body.toBody * x, std::min(reach, best.distance));
+    if (found.distance < best.distance) best = {body.toContainer * found.point, found.distance};
+  }
+  return best;
+}
+
+std::optional<std::size_t> Bodies::bodyAt(const Vector3d& x, double distance) const {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const Placed& body = bodies_[k];
+    if (body.bounds.exteriorDistance(x) > distance) continue;
+    const Vector3d own = body.toBody * x;
+    if (body.solid && body.shape->contains(own)) return k;
+    if (body.shape->closest(own, distance).distance < distance) return k;
+  }
+  return std::nullopt;
+}
+
+std::vector<BodySet> Bodies::nearCells(const CellGeometry& geometry) const {
+  if (empty()) return {};
+  std::vector<BodySet> near(geometry.count(), 0);
+  const double edge = 1 / static_cast<double>(geometry.inverseEdge);
+  const double reach = reach_ + 0.5 * std::sqrt(3.0) * edge;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const Placed& body = bodies_[k];
+    std::array<std::uint32_t, 3> low{};
+    std::array<std::uint32_t, 3> high{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      low[a] = geometry.coordinate(static_cast<float>(body.bounds.min()[axis] - reach_ - edge), axis);
+      high[a] = geometry.coordinate(static_cast<float>(body.bounds.max()[axis] + reach_ + edge), axis);
+    }
+    for (std::uint32_t z = low[2]; z <= high[2]; ++z) {
+      for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
+        for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
+          const Vector3d middle = edge * Vector3d(x + 0.5, y + 0.5, z + 0.5);
+          if (body.bounds.exteriorDistance(middle) > reach) continue;
+          if (body.shape->closest(body.toBody * middle, reach).distance > reach) continue;
+          near[x + std::size_t{geometry.cells[0]} * (y + std::size_t{geometry.cells[1]} * z)] |= BodySet{1} << k;
+        }
+      }
+    }
+  }
+  return near;
+}
+
+std::string Bodies::nameOf(std::size_t body) const { return bodies_[body].name; }
+
+}  // namespace sluice::sim
