@@ -20,6 +20,12 @@ std::vector<FileReference> filesOf(v1::Scene& scene) {
     files.push_back(
         {"bodies[" + std::to_string(i) + "].mesh.path", scene.mutable_bodies(i)->mutable_mesh()->mutable_path()});
   }
+  for (int f = 0; f < scene.simulation().fluids_size(); ++f) {
+    for (int k = 0; k < scene.simulation().fluids(f).meshes_size(); ++k) {
+      files.push_back({"simulation.fluids[" + std::to_string(f) + "].meshes[" + std::to_string(k) + "].path",
+                       scene.mutable_simulation()->mutable_fluids(f)->mutable_meshes(k)->mutable_path()});
+    }
+  }
   return files;
 }
 

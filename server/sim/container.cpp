@@ -12,10 +12,12 @@ std::array<double, 3> toTriple(const v1::Vec3& v) { return {v.x(), v.y(), v.z()}
 
 constexpr char kAxes[] = "xyz";
 
-/// Height of the first block's particles; 0 where there is none, which is refused elsewhere.
+/// Height of what the first fluid starts as; 0 where there is none, which is refused elsewhere.
 double planeOf(const v1::Simulation& simulation) {
   for (const v1::Fluid& fluid : simulation.fluids()) {
     for (const v1::Block& block : fluid.blocks()) return block.first_particle().z();
+    for (const v1::Ball& ball : fluid.balls()) return ball.centre().z();
+    for (const v1::Emitter& emitter : fluid.emitters()) return emitter.position().z();
   }
   return 0;
 }

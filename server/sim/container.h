@@ -11,6 +11,9 @@ namespace sluice::sim {
 /// rest. The remainder is for decimal fractions that are no floats.
 inline constexpr double kClearance = 0.99;
 
+/// How far from a planar scene's plane a volume may be said to be, m: what decimal fractions are rounded by.
+inline constexpr double kPlaneTolerance = 1e-9;
+
 /// The container with its lower corner as the origin of the particles' coordinates.
 struct Container {
   std::array<double, 3> origin{};  ///< m, in the scene's coordinates.
@@ -22,7 +25,8 @@ struct Container {
   std::size_t walledAxes() const { return plane ? 2 : 3; }
 };
 
-/// Throws core::InputError where the box is empty or narrower than two spacings. The plane is that of the first block.
+/// Throws core::InputError where the box is empty or narrower than two spacings. The plane is that of the first block,
+/// ball or emitter.
 Container containerOf(const v1::Simulation& simulation);
 
 }  // namespace sluice::sim

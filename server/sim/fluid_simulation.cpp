@@ -8,6 +8,7 @@
 
 #include "lattice.h"
 #include "memory_budget.h"
+#include "quality.h"
 #include "sluice/core/check.h"
 #include "sluice/core/input_error.h"
 
@@ -59,14 +60,14 @@ double checkedBoundaryCount(const Container& container, const Bodies& bodies, co
   return count;
 }
 
-InitialState checkedInitialState(const v1::Simulation& settings, const Container& container, const Bodies& bodies,
-                                 const Discretisation& discretisation) {
+std::uint64_t affordableParticles(const SimulationOptions& options, const Discretisation& discretisation) {
   // Particles are numbered with 32 bits, of which the pair loops use the sign.
   constexpr std::uint64_t kMostParticles = (std::uint64_t{1} << 31) - 1;
   // 0.8: the rest of the program needs memory too.
+  const std::uint64_t bytes = options.availableMemory > 0 ? options.availableMemory : availableMemory();
   const auto affordable =
-      static_cast<std::uint64_t>(0.8 * static_cast<double>(availableMemory())) / bytesPerParticle(discretisation);
-  return initialState(settings, container, bodies, std::min(affordable, kMostParticles));
+      static_cast<std::uint64_t>(0.8 * static_cast<double>(bytes)) / bytesPerParticle(discretisation);
+  return std::min(affordable, kMostParticles);
 }
 
 void checkPlanar(const v1::Simulation& settings) {
@@ -89,6 +90,7 @@ bool sameMethods(const v1::Simulation& a, const v1::Simulation& b) {
 /// What applies live, besides the fluids' own fields, between scenes of the same methods.
 void copyLiveFields(const v1::Simulation& from, v1::Simulation& to) {
   *to.mutable_gravity() = from.gravity();
+  to.set_max_particles(from.max_particles());
   *to.mutable_time_step() = from.time_step();
   if (from.has_dfsph()) *to.mutable_dfsph() = from.dfsph();
   if (from.has_iisph()) *to.mutable_iisph() = from.iisph();
@@ -117,6 +119,8 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
           cellsOf(container_, discretisation_.support, checkedBoundaryCount(container_, bodies_, discretisation_)),
           team_),
       walls_(container_, discretisation_.spacing, bodies_, boundary_.grid().geometry()),
+      affordableParticles_(affordableParticles(options, discretisation_)),
+      population_(settings, container_, bodies_, discretisation_),
       grid_(boundary_.grid().geometry()),
       lists_(options.loops != nullptr ? *options.loops : bestPairLoops(), PairScale(discretisation_)),
       solver_(makePressureSolver(settings)),
@@ -128,13 +132,16 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
 void FluidSimulation::reset() { startAnew(); }
 
 InitialState FluidSimulation::startAnew() {
-  InitialState initial = checkedInitialState(settings_, container_, bodies_, discretisation_);
+  InitialState initial = initialState(settings_, container_, bodies_, affordableParticles_);
   state_ = std::move(initial.particles);
   takenOut_ = initial.takenOut;
+  population_.reset(newParticle(), state_.size());
+  if (population_.hasEmitters()) state_.born.assign(state_.size(), 0);
   solver_->reset(state_, container_);
   if (settings_.has_micropolar()) MicropolarModel::reset(state_);
   statistics_ = {};
   time_ = lastStepSeconds_ = 0;
+  if (population_.hasEmitters()) population_.emit(state_, {.most = mostParticles()}, team_);
   length_ = {};
   recoverySeconds_ = std::numeric_limits<double>::infinity();
   pressureAcceleration_ = 0;
@@ -147,7 +154,8 @@ InitialState FluidSimulation::startAnew() {
   }
   StepContext start = beginStep();
   start.boundaryInReach = true;
-  for (const Stage stage : planStep(settings_, {state_.size()}).stages) {
+  const StepTraits initially{.particles = state_.size(), .emitting = population_.hasEmitters()};
+  for (const Stage stage : planStep(settings_, initially).stages) {
     // What every step ends with.
     if (stage == Stage::Sort || stage == Stage::Neighbours || stage == Stage::Boundary || stage == Stage::Factors ||
         stage == Stage::DensityError) {
@@ -160,8 +168,26 @@ InitialState FluidSimulation::startAnew() {
   return initial;
 }
 
+/// One particle with every array that the scene's particles have, as new ones start.
+ParticleState FluidSimulation::newParticle() const {
+  ParticleState particle;
+  particle.position.resize(1);
+  particle.velocity.resize(1);
+  particle.densityImpulse.resize(1);
+  particle.id.resize(1);
+  if (mixture_.several()) particle.fluid.resize(1);
+  if (population_.hasEmitters()) particle.born.resize(1);
+  makePressureSolver(settings_)->reset(particle, container_);
+  if (settings_.has_micropolar()) MicropolarModel::reset(particle);
+  return particle;
+}
+
+std::uint64_t FluidSimulation::mostParticles() const {
+  return std::min<std::uint64_t>(settings_.max_particles(), affordableParticles_);
+}
+
 void FluidSimulation::checkOverlaps(const InitialState& initial) const {
-  // Touching blocks may stand a little closer than the lattice; half-way into each other's spacing they would burst.
+  // Touching volumes may stand a little closer than the lattice; half-way into each other's spacing they would burst.
   constexpr double kClosest = 0.75;
   const double closest = kClosest * settings_.particle_spacing();
   for (std::size_t i = 0; i < state_.size(); ++i) {
@@ -175,9 +201,10 @@ void FluidSimulation::checkOverlaps(const InitialState& initial) const {
         if (distance >= closest) continue;
         const auto [earlier, later] = std::minmax(state_.id[i], state_.id[j]);
         std::ostringstream problem;
-        problem << "the block overlaps " << initial.blockOf(earlier) << ": two particles are " << distance
-                << " m apart, at least " << closest << " m is allowed";
-        throw core::InputError("", initial.blockOf(later) + ".first_particle", problem.str());
+        const InitialState::Origin& origin = initial.originOf(later);
+        problem << "the " << origin.noun << " overlaps " << initial.originOf(earlier).path << ": two particles are "
+                << distance << " m apart, at least " << closest << " m is allowed";
+        throw core::InputError("", origin.place, problem.str());
       }
     }
   }
@@ -194,7 +221,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   snapshot->densities.resize(state_.size());
   snapshot->ids = state_.id;
   snapshot->pressures.resize(state_.size());
-  // Every particle is there from the start.
+  // Without emitters, every particle is there from the start.
   snapshot->ages.assign(state_.size(), static_cast<float>(time_));
   snapshot->fluids = state_.fluid;
   snapshot->supportRadius = discretisation_.support;
@@ -213,6 +240,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
       snapshot->velocities[i] = {v.x, v.y, v.z};
       snapshot->densities[i] = restDensity[state_.fluid.empty() ? 0 : state_.fluid[i]] * lists_.density()[i];
       snapshot->pressures[i] = pressureOfImpulse * state_.densityImpulse[i];
+      if (!state_.born.empty()) snapshot->ages[i] = static_cast<float>(time_ - state_.born[i]);
     }
     lists_.countFluidNeighbours(chunk, snapshot->neighbours);
   });
@@ -223,7 +251,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
 
 void FluidSimulation::update(const v1::Scene& scene) {
   if (!scene.has_simulation()) throw core::InputError("", "simulation", "the scene has no simulation to update");
-  const v1::Simulation& next = scene.simulation();
+  const v1::Simulation next = atQuality(scene);
   if (next.fluids_size() != settings_.fluids_size()) {
     throw core::InputError("", "simulation.fluids", "the number of fluids cannot change while the simulation runs");
   }
@@ -273,6 +301,11 @@ std::vector<std::string> FluidSimulation::notices() const {
     notices.push_back(std::to_string(takenOut_[k]) + (takenOut_[k] == 1 ? " particle was" : " particles were") +
                       " taken out that would have started inside " + bodies_.nameOf(k) +
                       " or nearer than half a spacing to its surface");
+  }
+  if (population_.hasEmitters() && affordableParticles_ < settings_.max_particles()) {
+    notices.push_back("emitters rest while there are " + std::to_string(affordableParticles_) +
+                      " particles: this machine's free memory allows no more, simulation.max_particles is " +
+                      std::to_string(settings_.max_particles()));
   }
   return notices;
 }

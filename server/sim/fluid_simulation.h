@@ -16,6 +16,7 @@
 #include "mixture.h"
 #include "neighbour_lists.h"
 #include "particles.h"
+#include "population.h"
 #include "pressure_solver.h"
 #include "sluice/core/particle_source.h"
 #include "sluice/sim/step_plan.h"
@@ -35,6 +36,7 @@ struct SimulationOptions {
   /// Also run stages that a plan leaves out as having no effect (viscosity, gravity, boundary, …): for the tests that
   /// show that leaving them out changes nothing.
   bool keepInertStages = false;
+  std::uint64_t availableMemory = 0;  ///< Bytes; 0: what the machine can give.
 };
 
 /// SPH in a closed box, around bodies. A step runs the stages of its StepPlan, no others; which they are follows from
@@ -67,6 +69,7 @@ class FluidSimulation : public core::ParticleSource {
   const NeighbourLists& neighbours() const { return lists_; }
   const Boundary& boundary() const { return boundary_; }
   const Bodies& bodies() const { return bodies_; }
+  const Population& population() const { return population_; }
   /// The fluids; the state's impulses times mixture().heaviest() over the step's length are pressures.
   const Mixture& mixture() const { return mixture_; }
   core::StepStatistics statistics() const override { return statistics_; }
@@ -76,6 +79,8 @@ class FluidSimulation : public core::ParticleSource {
  private:
   void checkOverlaps(const InitialState& initial) const;
   InitialState startAnew();
+  ParticleState newParticle() const;
+  std::uint64_t mostParticles() const;
   TimeStepInputs timeStepInputs() const;
   StepTraits traits() const;
   StepPlan currentPlan() const;
@@ -86,6 +91,8 @@ class FluidSimulation : public core::ParticleSource {
   void acceptLength(StepContext& step) const;
   void applyGravity(const StepContext& step);
   void move(StepContext& step);
+  void emit(StepContext& step);
+  double endOfStep() const { return reachesStop_ ? stop_ : time_ + stepSeconds_; }
   void sort();
   void findNeighbours();
   void measureCompression();
@@ -104,12 +111,15 @@ class FluidSimulation : public core::ParticleSource {
   Bodies bodies_;
   Boundary boundary_;
   Walls walls_;
+  std::uint64_t affordableParticles_;  ///< That there is memory for.
+  Population population_;
 
   ParticleState state_;
   /// The state before the last sort, whose k-th particle is now grid_.order()'s: what a step is taken back to.
   ParticleState previous_;
   /// The state at the step's beginning, where the solver still moves particles after they are sorted.
   ParticleState beginning_;
+  PopulationState populationBefore_;  ///< At the step's beginning, likewise.
   bool sortedInStep_ = false;
   CellGrid grid_;
   NeighbourLists lists_;

@@ -64,8 +64,11 @@ StepTraits FluidSimulation::traits() const {
   const TimeStepChoice length = chooseTimeStep(settings_.time_step(), timeStepInputs());
   return {.particles = state_.size(),
           .boundaryInReach = boundaryInReach_,
-          .freeFlight = !boundaryInReach_ && freeFlight_.covers(state_.velocity, length.seconds, team_),
-          .implicitViscosity = length.implicitViscosity};
+          // Particles that come or go change the pairs.
+          .freeFlight =
+              !boundaryInReach_ && !population_.changes() && freeFlight_.covers(state_.velocity, length.seconds, team_),
+          .implicitViscosity = length.implicitViscosity,
+          .emitting = population_.emitting(time_)};
 }
 
 StepPlan FluidSimulation::currentPlan() const {
@@ -77,7 +80,9 @@ StepPlan FluidSimulation::currentPlan() const {
   busy.mutable_fluids(0)->set_viscosity(1);
   if (busy.has_surface_tension()) busy.mutable_surface_tension()->set_tension(1);
   if (busy.has_micropolar()) busy.mutable_micropolar()->set_transfer(1);
-  return planStep(busy, {.particles = present.particles, .implicitViscosity = present.implicitViscosity});
+  return planStep(
+      busy,
+      {.particles = present.particles, .implicitViscosity = present.implicitViscosity, .emitting = present.emitting});
 }
 
 bool FluidSimulation::advance() {
@@ -93,7 +98,10 @@ StepContext FluidSimulation::beginStep() {
   statistics_.stages.clear();
   statistics_.densityIterations = statistics_.divergenceIterations = statistics_.viscosityIterations = 0;
   sortedInStep_ = false;
-  if (solver_->movesParticles()) beginning_ = state_;
+  if (solver_->movesParticles()) {
+    beginning_ = state_;
+    populationBefore_ = population_.state();
+  }
   findBoundaryInReach();
   length_ = chooseTimeStep(settings_.time_step(), timeStepInputs());
   shortenToStop();
@@ -145,7 +153,7 @@ bool FluidSimulation::tryStep() {
 }
 
 void FluidSimulation::finish(const StepContext& step) {
-  time_ = reachesStop_ ? stop_ : time_ + step.seconds;
+  time_ = endOfStep();
   lastStepSeconds_ = step.seconds;
   maxSpeed_ = step.maxSpeed;
   pressureAcceleration_ = step.pressureAcceleration;
@@ -175,6 +183,10 @@ void FluidSimulation::run(Stage stage, StepContext& step) {
       return applyGravity(step);
     case Stage::Move:
       return move(step);
+    case Stage::Drains:
+      return population_.drain(state_, team_);
+    case Stage::Emitters:
+      return emit(step);
     case Stage::Sort:
       return sort();
     case Stage::Neighbours:
@@ -228,6 +240,12 @@ void FluidSimulation::move(StepContext& step) {
   wallContacts_ += held.value;
 }
 
+void FluidSimulation::emit(StepContext& step) {
+  const v1::Vec3& g = settings_.gravity();
+  const Population::Moment moment{endOfStep(), {g.x(), g.y(), g.z()}, mostParticles()};
+  step.maxSpeed = std::max(step.maxSpeed, population_.emit(state_, moment, team_));
+}
+
 void FluidSimulation::sort() {
   sortedInStep_ = true;
   std::swap(state_, previous_);
@@ -253,6 +271,7 @@ void FluidSimulation::findNeighbours() {
 void FluidSimulation::takeBack() {
   if (sortedInStep_) {
     state_ = beginning_;
+    population_.takeBack(populationBefore_);
     sort();
     lists_.find(grid_, state_.position, team_);
     lists_.addBoundary(boundary_, grid_, state_.position, team_);
@@ -274,7 +293,7 @@ void FluidSimulation::measureCompression() {
     }
     return part;
   });
-  statistics_.meanDensityError = compression.sum / static_cast<double>(state_.size());
+  statistics_.meanDensityError = state_.size() > 0 ? compression.sum / static_cast<double>(state_.size()) : 0;
   statistics_.maxDensityError = static_cast<double>(compression.largest);
 }
 
@@ -292,7 +311,8 @@ void FluidSimulation::findBoundaryInReach() {
     }
     return part;
   });
-  boundaryInReach_ = near.value > 0;
+  // New particles may come near a wall in the step in which they come.
+  boundaryInReach_ = near.value > 0 || population_.emitting(time_);
 }
 
 }  // namespace sluice::sim

@@ -12,19 +12,27 @@
 namespace sluice::sim {
 
 struct InitialState {
-  ParticleState particles;
-  std::vector<std::string> blocks;       ///< Field paths, "simulation.fluids[0].blocks[1]", in the particles' order.
-  std::vector<std::uint64_t> blockEnds;  ///< Of each block: one past its last particle.
-  std::vector<std::uint64_t> takenOut;   ///< Of each body: particles that would have started in it, or too near to it.
+  /// Of which volume (block, ball, mesh) particles are.
+  struct Origin {
+    std::string noun;       ///< "block".
+    std::string path;       ///< "simulation.fluids[0].blocks[1]".
+    std::string place;      ///< Field path of where it is.
+    std::uint64_t end = 0;  ///< One past its last particle.
+  };
 
-  /// The block that a particle comes from.
-  const std::string& blockOf(std::uint32_t id) const;
+  ParticleState particles;
+  std::vector<Origin> origins;          ///< In the particles' order.
+  std::vector<std::uint64_t> takenOut;  ///< Of each body: particles that would have started in it, or too near to it.
+
+  /// The volume that a particle comes from.
+  const Origin& originOf(std::uint32_t id) const;
 };
 
-/// The particles of all blocks, in the order of the blocks, x fastest, without those that would start in a body or
-/// nearer than half a spacing to its surface. Throws core::InputError where a block does not stand inside the container
-/// with a spacing to its faces or, in a planar scene, not in its plane, where bodies leave nothing of it, or where
-/// there are more particles than `particleLimit`.
+/// The particles of all volumes (see fluidVolumes), without those that would start in a body or nearer than half a
+/// spacing to its surface. A scene that has emitters may start without any. Throws core::InputError where a volume does
+/// not stand inside the container with a spacing to its faces or, in a planar scene, not in its plane; where nothing is
+/// left of it; and where there are more particles than `particleLimit`, for which there is memory, or the scene's
+/// `max_particles`.
 InitialState initialState(const v1::Simulation& simulation, const Container& container, const Bodies& bodies,
                           std::uint64_t particleLimit);
 

@@ -32,6 +32,7 @@ struct ParticleState {
   std::vector<float> divergenceImpulse;  ///< κ of DFSPH's last divergence solve, m²/s.
   std::vector<float> compression;        ///< ρ/ρ0 - 1 that weakly compressible SPH integrates.
   std::vector<Float4> spin;              ///< Microrotation ω, rad/s.
+  std::vector<double> born;              ///< When it came into the scene, s, where there are emitters.
 
   std::size_t size() const { return position.size(); }
 
@@ -58,6 +59,22 @@ struct ParticleState {
     });
   }
 
+  /// Adds copies of a particle, `particle`, in those arrays that it has.
+  void append(const ParticleState& particle, std::size_t copies) {
+    forEachArray(particle, [&](auto& to, const auto& one) {
+      if (!one.empty()) to.resize(to.size() + copies, one.front());
+    });
+  }
+
+  /// Leaves the particles of the given indices, in ascending order, and no others.
+  void keep(const std::vector<std::uint32_t>& indices) {
+    forEachArray(*this, [&](auto& values, const auto&) {
+      if (values.empty()) return;
+      for (std::size_t k = 0; k < indices.size(); ++k) values[k] = values[indices[k]];
+      values.resize(indices.size());
+    });
+  }
+
   bool operator==(const ParticleState&) const = default;
 
  private:
@@ -71,6 +88,7 @@ struct ParticleState {
     action(state.divergenceImpulse, other.divergenceImpulse);
     action(state.compression, other.compression);
     action(state.spin, other.spin);
+    action(state.born, other.born);
   }
 };
 

@@ -11,6 +11,7 @@ namespace sluice::sim {
 
 void PbfSolver::run(Stage stage, StepContext& step) {
   SLUICE_CHECK(stage == Stage::PositionSolve);
+  if (step.state.size() == 0) return;  // All have just gone down a drain.
   step.state.densityImpulse.assign(step.state.size(), 0);
   for (std::uint32_t iteration = 0; iteration < settings_.iterations(); ++iteration) {
     correct(step);

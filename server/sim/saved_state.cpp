@@ -45,6 +45,7 @@ void FluidSimulation::save(core::StateWriter& out) const {
   state_.forEachArray(state_, [&](const auto& values, const auto&) { out.write(values); });
   // Not where the particles are but where they were when they were sorted: the position-based solver has moved them on.
   out.write(grid_.cellOfSorted());
+  if (population_.changes()) population_.save(out);
   freeFlight_.save(out);
   out.write(time_);
   out.write(lastStepSeconds_);
@@ -59,6 +60,7 @@ void FluidSimulation::save(core::StateWriter& out) const {
 void FluidSimulation::resume(core::StateReader& in) {
   in.expect(kPart);
   readParticles(in);
+  if (population_.changes()) population_.resume(in, state_.id);
   freeFlight_.resume(in);
   in.read(time_);
   in.read(lastStepSeconds_);
@@ -76,9 +78,13 @@ void FluidSimulation::resume(core::StateReader& in) {
 void FluidSimulation::readParticles(core::StateReader& in) {
   ParticleState saved;
   saved.forEachArray(saved, [&](auto& values, const auto&) { in.read(values); });
-  // The scene's own particles, in their initial state, show which arrays it has and how long they are.
+  const ParticleState own = newParticle();
   bool fits = true;
-  saved.forEachArray(state_, [&](const auto& values, const auto& own) { fits = fits && values.size() == own.size(); });
+  saved.forEachArray(own, [&](const auto& values, const auto& one) {
+    fits = fits && values.size() == (one.empty() ? 0 : saved.size());
+  });
+  // Only emitters and drains change how many there are.
+  fits = fits && (population_.changes() || saved.size() == state_.size());
   const std::size_t fluids = mixture_.restDensities().size();
   fits = fits && std::ranges::all_of(saved.fluid, [&](std::uint8_t fluid) { return fluid < fluids; });
   std::vector<std::uint32_t> cells;
@@ -94,7 +100,8 @@ void FluidSimulation::rebuildPairs() {
   StepContext last = beginStep();
   last.boundaryInReach = true;
   lists_.find(grid_, state_.position, team_);
-  for (const Stage stage : planStep(settings_, {state_.size()}).stages) {
+  const StepTraits present{.particles = state_.size(), .emitting = population_.emitting(time_)};
+  for (const Stage stage : planStep(settings_, present).stages) {
     if (stage == Stage::Boundary || stage == Stage::Factors) run(stage, last);
   }
 }

@@ -28,6 +28,8 @@ const std::vector<StageDescription>& descriptions() {
       {Stage::DensitySolve, "density solve", {"pairs", "densities", "factors"}, {"velocities", "density impulses"}},
       {Stage::EquationOfState, "equation of state", {"pairs", "compressions"}, {"velocities", "compressions"}},
       {Stage::Move, "move", {"velocities"}, {"positions"}},
+      {Stage::Drains, "drains", {"positions"}, {"particles"}},
+      {Stage::Emitters, "emitters", {"positions"}, {"particles", "positions", "velocities"}},
       {Stage::Sort, "sort", {"positions"}, {"cells", "order of the particles"}},
       {Stage::Neighbours, "neighbours", {"positions", "cells"}, {"pairs", "densities", "gradient sums"}},
       {Stage::Boundary, "boundary", {"positions", "boundary particles"}, {"densities", "gradient sums"}},
@@ -83,6 +85,8 @@ bool isOverPairs(Stage stage) {
     case Stage::Micropolar:
     case Stage::Gravity:
     case Stage::Move:
+    case Stage::Drains:
+    case Stage::Emitters:
     case Stage::Sort:
     case Stage::DensityError:
       return false;
@@ -91,9 +95,30 @@ bool isOverPairs(Stage stage) {
   }
 }
 
+/// Stages that leave the particles sorted, with their pairs: needed where a step without any before brings some.
+bool endsStep(Stage stage) {
+  switch (stage) {
+    case Stage::Sort:
+    case Stage::Neighbours:
+    case Stage::Boundary:
+    case Stage::Factors:
+    case Stage::DensityError:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool hasEmitters(const v1::Fluid& fluid) { return fluid.emitters_size() > 0; }
+
 /// Why a stage has nothing to do; empty when it has.
 std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation, const StepTraits& traits) {
-  if (traits.particles == 0) return "there are no particles";
+  if (stage == Stage::Emitters) {
+    if (std::ranges::none_of(simulation.fluids(), hasEmitters)) return "none";
+    return traits.emitting ? "" : "all have ended";
+  }
+  if (stage == Stage::Drains && simulation.drains_size() == 0) return "none";
+  if (traits.particles == 0 && !(traits.emitting && endsStep(stage))) return "there are no particles";
   switch (stage) {
     case Stage::DivergenceSolve:
       if (!simulation.dfsph().divergence_solve()) return "switched off";

@@ -61,19 +61,27 @@ void WcsphSolver::update(const v1::Simulation& simulation) { settings_ = simulat
 
 void WcsphSolver::reset(ParticleState& state, const Container& container) {
   state.compression.assign(state.size(), 0);
-  double fastestSquare = 0;
+  fastestStart_ = 0;
   fallDown_ = fallUp_ = {};
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const Float4& x = state.position[i];
-    const Float4& v = state.velocity[i];
-    fastestSquare = std::max(fastestSquare, static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z));
-    const std::array<double, 3> place{x.x, x.y, x.z};
+  const auto note = [&](const std::array<double, 3>& place, double speed) {
+    fastestStart_ = std::max(fastestStart_, speed);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       fallDown_[axis] = std::max(fallDown_[axis], place[axis]);
       fallUp_[axis] = std::max(fallUp_[axis], container.size[axis] - place[axis]);
     }
+  };
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Float4& x = state.position[i];
+    const Float4& v = state.velocity[i];
+    note({x.x, x.y, x.z}, std::sqrt(static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z)));
   }
-  fastestStart_ = std::sqrt(fastestSquare);
+  for (const v1::Fluid& fluid : settings_.fluids()) {
+    for (const v1::Emitter& emitter : fluid.emitters()) {
+      const v1::Vec3& mouth = emitter.position();
+      note({mouth.x() - container.origin[0], mouth.y() - container.origin[1], mouth.z() - container.origin[2]},
+           emitter.speed());
+    }
+  }
 }
 
 double WcsphSolver::referenceSpeed() const {

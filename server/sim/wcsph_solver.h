@@ -42,7 +42,7 @@ class WcsphSolver : public PressureSolver {
 
   v1::Simulation settings_;
   double densityRatio_ = 1;           ///< Heaviest fluid over the lightest.
-  double fastestStart_ = 0;           ///< Largest initial speed, m/s.
+  double fastestStart_ = 0;           ///< Largest initial speed, of emitters too, m/s.
   std::array<double, 3> fallDown_{};  ///< How far particles may fall towards the lower corner, m,
   std::array<double, 3> fallUp_{};    ///< and towards the upper one.
   std::vector<Float4> impulse4_;      ///< κ/ρ̃², in all four lanes for the pair loops; then positions and A.

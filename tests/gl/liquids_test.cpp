@@ -52,6 +52,25 @@ class Liquids : public RenderTest {
   const core::ImageSize size{160, 120};
 };
 
+// Emitters and drains: a picture tells nothing of how many particles there were before.
+TEST_F(Liquids, ParticlesMayComeAndGo) {
+  const core::ParticleSnapshot all = twoSlabs(0, 1);
+  core::ParticleSnapshot few = cloud({}, all.spacing);
+  few.positions.assign(all.positions.begin(), all.positions.begin() + 40);
+  few.fluids.assign(40, 0);
+  few.bounds = core::boundsOf(few.positions);
+  const core::ParticleSnapshot none = cloud({}, all.spacing);
+
+  const core::Frame empty = render(none, alongZ(), size);
+  const core::Frame sparse = render(few, alongZ(), size);
+  const core::Frame full = render(all, alongZ(), size);
+  EXPECT_NE(empty.pixels, sparse.pixels);
+  EXPECT_NE(sparse.pixels, full.pixels);
+  EXPECT_EQ(render(few, alongZ(), size).pixels, sparse.pixels);
+  EXPECT_EQ(render(none, alongZ(), size).pixels, empty.pixels);
+  EXPECT_EQ(render(all, alongZ(), size).pixels, full.pixels);
+}
+
 TEST_F(Liquids, OneOfTwoThatIsAloneIsDrawnAsAnyOther) {
   core::ParticleSnapshot particles = slab(2.0F, 0.5F, 0.06F);
   const core::Frame plain = render(particles, alongZ(), size);

@@ -59,6 +59,11 @@ TEST_F(Load, TakesRelativePathsFromTheScenesFolder) {
                                       "background { environment_map { path: \"sky/noon.hdr\" } }"));
   EXPECT_EQ(bodies.bodies(1).mesh().path(), (folder_ / "a.obj").string());
   EXPECT_EQ(bodies.bodies(2).mesh().path(), "/b.ply");
+  const v1::Scene fluids = load(write("fluids.textproto",
+                                      "simulation { container { min {} max { x: 1 y: 1 z: 1 } }\n"
+                                      "fluids { meshes { path: \"a.obj\" } meshes { path: \"/b.ply\" } } }"));
+  EXPECT_EQ(fluids.simulation().fluids(0).meshes(0).path(), (folder_ / "a.obj").string());
+  EXPECT_EQ(fluids.simulation().fluids(0).meshes(1).path(), "/b.ply");
   EXPECT_EQ(bodies.background().environment_map().path(), (folder_ / "sky/noon.hdr").string());
 }
 

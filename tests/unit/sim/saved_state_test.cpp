@@ -66,6 +66,32 @@ v1::Simulation scattered() {
   return settings;
 }
 
+/// A jet that begins after a while, into a pool with a drain: particles come and go.
+v1::Simulation basinWith(const std::function<void(v1::Simulation&)>& change) {
+  v1::Simulation settings = column(12, 3);
+  v1::Fluid* fluid = settings.mutable_fluids(0);
+  settings.mutable_container()->mutable_max()->set_y(0.8);
+  v1::Emitter* emitter = fluid->add_emitters();
+  emitter->mutable_position()->set_x(0.33);
+  emitter->mutable_position()->set_y(0.6);
+  emitter->mutable_position()->set_z(0.3);
+  emitter->mutable_direction()->set_y(-1);
+  emitter->set_radius(0.08);
+  emitter->set_speed(2);
+  emitter->set_start_seconds(0.003);
+  v1::Box* drain = settings.add_drains()->mutable_box();
+  drain->mutable_min();
+  drain->mutable_max()->set_x(0.12);
+  drain->mutable_max()->set_y(0.12);
+  drain->mutable_max()->set_z(0.65);
+  change(settings);
+  return settings;
+}
+
+bool flows(const FluidSimulation& simulation) {
+  return simulation.population().emitted() > 0 && simulation.population().state().drained > 10;
+}
+
 class Resumed : public testing::TestWithParam<Case> {};
 
 TEST_P(Resumed, GoesOnBitForBit) {
@@ -126,6 +152,20 @@ INSTANTIATE_TEST_SUITE_P(
                });
              },
              [](const FluidSimulation& s) { return !s.state().spin.empty(); }},
+        Case{"flow_dfsph", [] { return basinWith([](auto&) {}); }, flows},
+        Case{"flow_pbf", [] { return basinWith([](auto& s) { s.mutable_pbf(); }); }, flows},
+        Case{"flow_wcsph_spin_two_fluids",
+             [] {
+               return basinWith([](auto& s) {
+                 s.mutable_wcsph();
+                 s.mutable_micropolar();
+                 v1::Fluid* other = s.add_fluids();
+                 *other = s.fluids(0);
+                 other->clear_blocks();
+                 other->mutable_emitters(0)->mutable_position()->set_x(0.53);
+               });
+             },
+             flows},
         Case{"free_flight", scattered,
              [](const FluidSimulation& s) {
                const core::Plan plan = s.plan();
@@ -154,6 +194,15 @@ TEST(SavedState, IsRefusedByAnotherScene) {
   EXPECT_THAT(resumeError(fewer, bytes), testing::HasSubstr("not those of the state's scene"));
   FluidSimulation other(damBreakWith([](auto& s) { s.mutable_wcsph(); }));
   EXPECT_THAT(resumeError(other, bytes), testing::HasSubstr("not those of the state's scene"));
+}
+
+TEST(SavedState, OfAFlowIsRefusedByASceneWithAnotherNumberOfNozzles) {
+  const std::vector<std::uint8_t> bytes = saved(FluidSimulation(basinWith([](auto&) {})));
+  FluidSimulation other(basinWith([](auto& s) {
+    *s.mutable_fluids(0)->add_emitters() = s.fluids(0).emitters(0);
+    s.mutable_fluids(0)->mutable_emitters(1)->mutable_position()->set_x(0.53);
+  }));
+  EXPECT_THAT(resumeError(other, bytes), testing::HasSubstr("emitters and drains"));
 }
 
 TEST(SavedState, IsRefusedWhenCutOffAnywhere) {

@@ -21,7 +21,8 @@ TEST(StepPlan, RunsEveryStageOfAFullScene) {
                                        Stage::DensitySolve, Stage::Move, Stage::Sort, Stage::Neighbours,
                                        Stage::Boundary, Stage::Factors, Stage::DensityError));
   EXPECT_THAT(plan.leftOut, ElementsAre(core::LeftOut{"surface tension", "not asked for"},
-                                        core::LeftOut{"micropolar", "not asked for"}));
+                                        core::LeftOut{"micropolar", "not asked for"}, core::LeftOut{"drains", "none"},
+                                        core::LeftOut{"emitters", "none"}));
 }
 
 TEST(StepPlan, LeavesOutWhatASceneDoesNotNeed) {
@@ -34,7 +35,8 @@ TEST(StepPlan, LeavesOutWhatASceneDoesNotNeed) {
       plan.leftOut,
       ElementsAre(core::LeftOut{"divergence solve", "switched off"}, core::LeftOut{"surface tension", "not asked for"},
                   core::LeftOut{"micropolar", "not asked for"}, core::LeftOut{"viscosity", "the viscosity is 0"},
-                  core::LeftOut{"gravity", "gravity is 0"}, core::LeftOut{"boundary", "no particle is near a wall"}));
+                  core::LeftOut{"gravity", "gravity is 0"}, core::LeftOut{"drains", "none"},
+                  core::LeftOut{"emitters", "none"}, core::LeftOut{"boundary", "no particle is near a wall"}));
 }
 
 TEST(StepPlan, DescribesEveryStageThatRuns) {

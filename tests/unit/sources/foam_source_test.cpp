@@ -1,5 +1,7 @@
 #include "sluice/sources/foam_source.h"
 
+#include <functional>
+#include <set>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -31,6 +33,12 @@ class Collision : public core::ParticleSource {
     snapshot->spacing = static_cast<double>(cube_.spacing);
     snapshot->positions = cube_.positions;
     if (hasVelocities) snapshot->velocities = cube_.velocities;
+    if (share) {
+      // Particles come and go: so many of them at this time.
+      const auto present = static_cast<std::size_t>(share(time_) * static_cast<double>(cube_.positions.size()));
+      snapshot->positions.resize(present);
+      if (hasVelocities) snapshot->velocities.resize(present);
+    }
     return snapshot;
   }
   core::StepStatistics statistics() const override { return {}; }
@@ -38,6 +46,7 @@ class Collision : public core::ParticleSource {
   core::Plan plan() const override { return {}; }
 
   bool hasVelocities = true;
+  std::function<double(double)> share;  ///< Of the cube's particles that there are at a time; all where it is not set.
   int updates = 0;
   mutable int snapshots = 0;
 
@@ -66,6 +75,31 @@ void expectSame(const core::DiffuseParticles& a, const core::DiffuseParticles& b
   EXPECT_EQ(a.kinds, b.kinds);
   EXPECT_EQ(a.remaining, b.remaining);
   EXPECT_EQ(a.ids, b.ids);
+}
+
+// Emitters and drains: from nothing to all, to nothing, and to all again.
+TEST(FoamSource, CopesWithLiquidThatComesAndGoes) {
+  const auto run = [](int threads) {
+    auto liquid = std::make_unique<Collision>();
+    liquid->share = [](double time) { return std::abs(std::sin(15 * time)) > 0.3 ? std::abs(std::sin(15 * time)) : 0; };
+    const auto foamy = withFoam(std::move(liquid), foamyScene(), threads);
+    EXPECT_EQ(foamy->snapshot()->size(), 0U);
+    std::set<std::uint32_t> former;
+    std::uint32_t next = 0;
+    std::size_t most = 0;
+    for (int step = 0; step < 60; ++step) {
+      const core::DiffuseParticles foam = foamAfter(*foamy, 1);
+      std::set<std::uint32_t> present(foam.ids.begin(), foam.ids.end());
+      EXPECT_EQ(present.size(), foam.size());
+      for (const std::uint32_t id : present) EXPECT_TRUE(former.contains(id) || id >= next) << "given again";
+      if (!present.empty()) next = std::max(next, *present.rbegin() + 1);
+      most = std::max(most, present.size());
+      former = std::move(present);
+    }
+    EXPECT_GT(most, 50U);
+    return foamy->snapshot()->diffuse;
+  };
+  expectSame(run(1), run(3));
 }
 
 TEST(FoamSource, GivesTheSameBitsForAnyNumberOfThreads) {

@@ -22,6 +22,8 @@ enum class Stage {
   DensitySolve,     ///< DFSPH, IISPH: pressure impulses that keep the density at rest after the move.
   EquationOfState,  ///< WCSPH: pressure from density, and how that changes.
   Move,             ///< Refuse or take the step: x += v dt.
+  Drains,           ///< Take out particles that have come into a drain.
+  Emitters,         ///< Add the layers of particles that have passed a nozzle's mouth.
   Sort,             ///< Reorder the particles by cell.
   Neighbours,       ///< Find the pairs; densities and gradient sums.
   Boundary,         ///< The boundary's share of those sums.
@@ -39,6 +41,8 @@ struct StepTraits {
   bool freeFlight = false;
   /// The step is longer than explicit viscosity is stable in.
   bool implicitViscosity = false;
+  /// An emitter may give particles in this step, or has a layer on its way.
+  bool emitting = false;
 };
 
 struct StepPlan {

@@ -1,0 +1,196 @@
+#include "fluid_volumes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <sstream>
+
+#include <Eigen/Geometry>
+
+#include "body_shape.h"
+#include "sluice/core/input_error.h"
+#include "sluice/scene/convert.h"
+
+namespace sluice::sim {
+
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+constexpr char kAxes[] = "xyz";
+
+/// Share of a spacing by which decimal fractions miss the points of a lattice.
+constexpr double kRounding = 1e-6;
+
+Vector3d originOf(const Container& container) { return Vector3d::Map(container.origin.data()); }
+
+std::string elementPath(int fluid, const char* list, int index) {
+  return "simulation.fluids[" + std::to_string(fluid) + "]." + list + "[" + std::to_string(index) + "]";
+}
+
+/// Lays the common lattice over a box, as far as it lies in the container, and one layer farther: enough to find what
+/// reaches out.
+void layLattice(FluidVolume& volume, const AlignedBox3d& bounds, const Container& container, double spacing) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double first = std::max(std::ceil(bounds.min()[a] / spacing - kRounding), 0.0);
+    const double last =
+        std::min(std::floor(bounds.max()[a] / spacing + kRounding), std::ceil(container.size[axis] / spacing));
+    volume.first[axis] = first * spacing;
+    volume.counts[axis] = last < first ? 0 : static_cast<std::uint32_t>(last - first) + 1;
+  }
+  if (container.plane) {
+    volume.first[2] = *container.plane;
+    volume.counts[2] = 1;
+  }
+}
+
+/// Throws where the volume, in a planar scene, is not at the plane's height or does not move within it.
+void checkPlanar(const FluidVolume& volume, double z, const Container& container) {
+  if (!container.plane) return;
+  const double plane = container.origin[2] + *container.plane;
+  if (std::abs(z - plane) > kPlaneTolerance) {
+    std::ostringstream problem;
+    problem << "the scene is planar: z must be that of its first volume, " << plane << " m";
+    throw core::InputError("", volume.place + ".z", problem.str());
+  }
+  if (volume.velocity.z() != 0) {
+    throw core::InputError("", volume.path + ".velocity.z", "must be 0: the scene is planar");
+  }
+}
+
+FluidVolume volumeOf(int fluid, const char* noun, const std::string& path, const char* place,
+                     const v1::Vec3& velocity) {
+  FluidVolume volume;
+  volume.noun = noun;
+  volume.path = path;
+  volume.place = path + "." + place;
+  volume.fluid = fluid;
+  volume.velocity = velocity;
+  return volume;
+}
+
+FluidVolume blockVolume(const v1::Block& block, int fluid, const std::string& path, const Container& container) {
+  FluidVolume volume = volumeOf(fluid, "block", path, "first_particle", block.velocity());
+  if (container.plane && block.count_z() != 1) {
+    throw core::InputError("", path + ".count_z", "must be 1: the scene is planar");
+  }
+  checkPlanar(volume, block.first_particle().z(), container);
+  const Vector3d first = scene::toVector(block.first_particle()) - originOf(container);
+  volume.first = {first.x(), first.y(), first.z()};
+  volume.counts = {block.count_x(), block.count_y(), block.count_z()};
+  volume.expected = double{1} * block.count_x() * block.count_y() * block.count_z();
+  return volume;
+}
+
+FluidVolume ballVolume(const v1::Ball& ball, int fluid, const std::string& path, const Container& container,
+                       double spacing) {
+  FluidVolume volume = volumeOf(fluid, "ball", path, "centre", ball.velocity());
+  checkPlanar(volume, ball.centre().z(), container);
+  const Vector3d centre = scene::toVector(ball.centre()) - originOf(container);
+  const AlignedBox3d bounds(Vector3d(centre.array() - ball.radius()), Vector3d(centre.array() + ball.radius()));
+  layLattice(volume, bounds, container, spacing);
+  const double radii = ball.radius() / spacing;
+  volume.expected =
+      container.plane ? std::numbers::pi * radii * radii : 4 * std::numbers::pi / 3 * radii * radii * radii;
+  // Points on the surface are outside: otherwise rounding would say on which side of it they are.
+  const double reach = ball.radius() - kRounding * spacing;
+  volume.contains = [centre, reach](const Vector3d& x) { return (x - centre).squaredNorm() < reach * reach; };
+  return volume;
+}
+
+FluidVolume meshVolume(const v1::MeshVolume& settings, int fluid, const std::string& path, const Container& container,
+                       double spacing) {
+  FluidVolume volume = volumeOf(fluid, "mesh", path, "position", settings.velocity());
+  if (container.plane) throw core::InputError("", path, "the scene is planar: it takes blocks, balls and emitters");
+  v1::Body body;
+  body.mutable_mesh()->set_path(settings.path());
+  body.mutable_mesh()->set_scale(settings.scale());
+  *body.mutable_position() = settings.position();
+  *body.mutable_rotation_degrees() = settings.rotation_degrees();
+  std::shared_ptr<const BodyShape> shape;
+  try {
+    shape = makeBodyShape(body, path);
+  } catch (const core::InputError& error) {
+    throw core::InputError("", path + ".path", error.problem());
+  }
+  if (!shape->isClosed()) {
+    throw core::InputError("", path + ".path",
+                           settings.path() +
+                               " has edges that do not have two faces: an open surface has no inside "
+                               "that could be filled");
+  }
+  Eigen::Isometry3d pose = scene::toPose(body).cast<double>();
+  pose.pretranslate(-originOf(container));
+  AlignedBox3d bounds;
+  for (int corner = 0; corner < 8; ++corner) {
+    bounds.extend(pose * shape->bounds().corner(static_cast<AlignedBox3d::CornerType>(corner)));
+  }
+  layLattice(volume, bounds, container, spacing);
+  volume.contains = [shape, toMesh = pose.inverse()](const Vector3d& x) { return shape->contains(toMesh * x); };
+  return volume;
+}
+
+/// Throws where a particle of a volume is too near to the container's faces.
+void checkInside(const FluidVolume& volume, const Vector3d& x, const Container& container, double spacing) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double at = x[static_cast<Eigen::Index>(axis)];
+    if (at >= kClearance * spacing && at <= container.size[axis] - kClearance * spacing) continue;
+    std::ostringstream problem;
+    problem << "the " << volume.noun << " has a particle at " << kAxes[axis] << " = " << container.origin[axis] + at
+            << " m; particles must start one spacing inside the container's faces, within ["
+            << container.origin[axis] + spacing << ", " << container.origin[axis] + container.size[axis] - spacing
+            << "] m";
+    throw core::InputError("", volume.place, problem.str());
+  }
+}
+
+}  // namespace
+
+std::vector<FluidVolume> fluidVolumes(const v1::Simulation& simulation, const Container& container) {
+  const double spacing = simulation.particle_spacing();
+  std::vector<FluidVolume> volumes;
+  for (int f = 0; f < simulation.fluids_size(); ++f) {
+    const v1::Fluid& fluid = simulation.fluids(f);
+    const std::size_t before = volumes.size();
+    for (int k = 0; k < fluid.blocks_size(); ++k) {
+      volumes.push_back(blockVolume(fluid.blocks(k), f, elementPath(f, "blocks", k), container));
+    }
+    for (int k = 0; k < fluid.balls_size(); ++k) {
+      volumes.push_back(ballVolume(fluid.balls(k), f, elementPath(f, "balls", k), container, spacing));
+    }
+    for (int k = 0; k < fluid.meshes_size(); ++k) {
+      volumes.push_back(meshVolume(fluid.meshes(k), f, elementPath(f, "meshes", k), container, spacing));
+    }
+    if (volumes.size() > before || fluid.emitters_size() > 0) continue;
+    throw core::InputError("", "simulation.fluids[" + std::to_string(f) + "]",
+                           "has no blocks, balls, meshes or emitters; it needs at least one of them");
+  }
+  return volumes;
+}
+
+void forEachParticle(const FluidVolume& volume, const Container& container, double spacing,
+                     const std::function<void(const Float4&)>& add) {
+  const auto place = [&](std::size_t axis, std::uint32_t step) { return volume.first[axis] + spacing * step; };
+  const auto visit = [&](const Vector3d& x) {
+    if (volume.contains && !volume.contains(x)) return;
+    checkInside(volume, x, container, spacing);
+    const Eigen::Vector3f rounded = x.cast<float>();
+    add({rounded.x(), rounded.y(), rounded.z(), 0});
+  };
+  if (!volume.contains) {
+    // The corners tell for all of it.
+    const auto last = [&](std::size_t axis) { return place(axis, volume.counts[axis] - 1); };
+    checkInside(volume, {volume.first[0], volume.first[1], volume.first[2]}, container, spacing);
+    checkInside(volume, {last(0), last(1), last(2)}, container, spacing);
+  }
+  for (std::uint32_t k = 0; k < volume.counts[2]; ++k) {
+    for (std::uint32_t j = 0; j < volume.counts[1]; ++j) {
+      for (std::uint32_t i = 0; i < volume.counts[0]; ++i) visit({place(0, i), place(1, j), place(2, k)});
+    }
+  }
+}
+
+}  // namespace sluice::sim
