@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+#include "sluice/scene/convert.h"
+
 namespace sluice::render {
 namespace {
 
@@ -149,7 +151,7 @@ TEST(BodyPose, TurnsAboutXThenYThenZ) {
   body.mutable_rotation_degrees()->set_x(90);
   body.mutable_rotation_degrees()->set_z(90);
   // y is turned into z by the first turn, which the last leaves; x stays, then becomes y.
-  const Eigen::Isometry3f pose = poseOf(body);
+  const Eigen::Isometry3f pose = scene::toPose(body);
   EXPECT_LT((pose * Vector3f(0, 1, 0) - Vector3f(5, 0, 1)).norm(), 1e-6);
   EXPECT_LT((pose * Vector3f(1, 0, 0) - Vector3f(5, 1, 0)).norm(), 1e-6);
 }
