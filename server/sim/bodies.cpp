@@ -12,17 +12,10 @@ namespace sluice::sim {
 
 namespace {
 
-using Eigen::AlignedBox3d;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-
-AlignedBox3d boundsOf(const AlignedBox3d& own, const Isometry3d& pose) {
-  AlignedBox3d bounds;
-  for (int corner = 0; corner < 8; ++corner) {
-    bounds.extend(pose * own.corner(static_cast<AlignedBox3d::CornerType>(corner)));
-  }
-  return bounds;
-}
+using solids::ClosestPoint;
+using solids::PlacedBody;
 
 Vector3d toVector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
@@ -39,40 +32,33 @@ Bodies::Bodies(const List& bodies, const Container& container, const Discretisat
   }
   SLUICE_CHECK(bodies.size() <= 64);
   for (int k = 0; k < bodies.size(); ++k) {
+    if (!bodies[k].solid()) continue;
     const std::string path = "bodies[" + std::to_string(k) + "]";
-    std::string name = path + " (" + bodies[k].name() + ")";
-    std::unique_ptr<const BodyShape> shape = makeBodyShape(bodies[k], path);
-    if (bodies[k].has_mesh() && !shape->isClosed()) {
-      notices_.push_back(name + " is a mesh with edges that do not have two faces: a thin wall without an inside");
-    }
+    const std::string name = path + " (" + bodies[k].name() + ")";
     Isometry3d pose = scene::toPose(bodies[k]).cast<double>();
     pose.pretranslate(-toVector(container.origin));
-    const bool solid = shape->isClosed() && !bodies[k].has_glass();
-    const AlignedBox3d bounds = boundsOf(shape->bounds(), pose);
-    bodies_.push_back({std::move(shape),
-                       pose,
-                       pose.inverse(),
-                       bounds,
-                       {discretisation.spacing, solid ? layers : 1},
-                       solid,
-                       std::move(name)});
+    const PlacedBody body(solids::makeBodyShape(bodies[k], path), bodies[k].has_glass(), pose);
+    if (bodies[k].has_mesh() && !body.shape().isClosed()) {
+      notices_.push_back(name + " is a mesh with edges that do not have two faces: a thin wall without an inside");
+    }
+    walls_.push_back({body, {discretisation.spacing, body.isSolid() ? layers : 1}, path, name});
   }
 }
 
 double Bodies::expectedSamples(std::size_t body) const {
-  const Placed& placed = bodies_[body];
-  return placed.shape->area(placed.sampling) / (placed.sampling.spacing * placed.sampling.spacing);
+  const Wall& wall = walls_[body];
+  return wall.body.shape().area(wall.sampling) / (wall.sampling.spacing * wall.sampling.spacing);
 }
 
 std::vector<Bodies::Sample> Bodies::samples() const {
   std::vector<Sample> samples;
-  for (const Placed& body : bodies_) {
-    if (!within_.intersects(body.bounds)) continue;
-    body.shape->sample(body.sampling, [&](const Vector3d& own) {
-      const Vector3d x = body.toContainer * own;
+  for (const Wall& wall : walls_) {
+    if (!within_.intersects(wall.body.bounds())) continue;
+    wall.body.shape().sample(wall.sampling, [&](const Vector3d& own) {
+      const Vector3d x = wall.body.pose() * own;
       if (!within_.contains(x)) return;
       const Eigen::Vector3f place = x.cast<float>();
-      samples.push_back({{place.x(), place.y(), place.z(), 0}, body.sampling.layers});
+      samples.push_back({{place.x(), place.y(), place.z(), 0}, wall.sampling.layers});
     });
   }
   return samples;
@@ -81,20 +67,17 @@ std::vector<Bodies::Sample> Bodies::samples() const {
 ClosestPoint Bodies::closest(const Vector3d& x, BodySet bodies, double reach) const {
   ClosestPoint best;
   for (; bodies != 0; bodies &= bodies - 1) {
-    const Placed& body = bodies_[static_cast<std::size_t>(std::countr_zero(bodies))];
-    const ClosestPoint found = body.shape->closest(body.toBody * x, std::min(reach, best.distance));
-    if (found.distance < best.distance) best = {body.toContainer * found.point, found.distance};
+    const PlacedBody& body = walls_[static_cast<std::size_t>(std::countr_zero(bodies))].body;
+    const ClosestPoint found = body.closest(x, std::min(reach, best.distance));
+    if (found.distance < best.distance) best = found;
   }
   return best;
 }
 
 std::optional<std::size_t> Bodies::bodyAt(const Vector3d& x, double distance) const {
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const Placed& body = bodies_[k];
-    if (body.bounds.exteriorDistance(x) > distance) continue;
-    const Vector3d own = body.toBody * x;
-    if (body.solid && body.shape->contains(own)) return k;
-    if (body.shape->closest(own, distance).distance < distance) return k;
+  for (std::size_t k = 0; k < walls_.size(); ++k) {
+    const PlacedBody& body = walls_[k].body;
+    if (body.contains(x) || body.closest(x, distance).distance < distance) return k;
   }
   return std::nullopt;
 }
@@ -104,21 +87,20 @@ std::vector<BodySet> Bodies::nearCells(const CellGeometry& geometry) const {
   std::vector<BodySet> near(geometry.count(), 0);
   const double edge = 1 / static_cast<double>(geometry.inverseEdge);
   const double reach = reach_ + 0.5 * std::sqrt(3.0) * edge;
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const Placed& body = bodies_[k];
+  for (std::size_t k = 0; k < walls_.size(); ++k) {
+    const PlacedBody& body = walls_[k].body;
     std::array<std::uint32_t, 3> low{};
     std::array<std::uint32_t, 3> high{};
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      low[a] = geometry.coordinate(static_cast<float>(body.bounds.min()[axis] - reach_ - edge), axis);
-      high[a] = geometry.coordinate(static_cast<float>(body.bounds.max()[axis] + reach_ + edge), axis);
+      low[a] = geometry.coordinate(static_cast<float>(body.bounds().min()[axis] - reach_ - edge), axis);
+      high[a] = geometry.coordinate(static_cast<float>(body.bounds().max()[axis] + reach_ + edge), axis);
     }
     for (std::uint32_t z = low[2]; z <= high[2]; ++z) {
       for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
         for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
           const Vector3d middle = edge * Vector3d(x + 0.5, y + 0.5, z + 0.5);
-          if (body.bounds.exteriorDistance(middle) > reach) continue;
-          if (body.shape->closest(body.toBody * middle, reach).distance > reach) continue;
+          if (body.closest(middle, reach).distance > reach) continue;
           near[x + std::size_t{geometry.cells[0]} * (y + std::size_t{geometry.cells[1]} * z)] |= BodySet{1} << k;
         }
       }
@@ -126,7 +108,5 @@ std::vector<BodySet> Bodies::nearCells(const CellGeometry& geometry) const {
   }
   return near;
 }
-
-std::string Bodies::nameOf(std::size_t body) const { return bodies_[body].name; }
 
 }  // namespace sluice::sim

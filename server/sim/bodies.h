@@ -9,20 +9,19 @@
 
 #include <google/protobuf/repeated_ptr_field.h>
 
-#include "body_shape.h"
 #include "cell_grid.h"
 #include "container.h"
 #include "discretisation.h"
 #include "particles.h"
+#include "sluice/solids/placed_body.h"
 #include "sluice/v1/scene.pb.h"
 
 namespace sluice::sim {
 
-/// A set of bodies: bit k stands for the scene's body k, of which there are at most 64.
+/// A set of bodies: bit k stands for the k-th that fluid flows around, of which there are at most 64.
 using BodySet = std::uint64_t;
 
-/// The scene's bodies as walls that stand still, in the coordinates of the container. A matte body with a closed
-/// surface is solid; one of glass, or with an open surface, is a thin wall with room for fluid on both sides. A planar
+/// The scene's bodies that fluid flows around, as walls that stand still, in the coordinates of the container. A planar
 /// scene has none. Immutable; all functions are thread-safe.
 class Bodies {
  public:
@@ -39,8 +38,8 @@ class Bodies {
   /// Throws core::InputError where a mesh cannot be read, with the body's field path.
   Bodies(const List& bodies, const Container& container, const Discretisation& discretisation, int layers);
 
-  bool empty() const { return bodies_.empty(); }
-  std::size_t size() const { return bodies_.size(); }
+  bool empty() const { return walls_.empty(); }
+  std::size_t size() const { return walls_.size(); }
 
   /// About how many samples a body's whole surface has.
   double expectedSamples(std::size_t body) const;
@@ -50,7 +49,7 @@ class Bodies {
 
   /// The point of the given bodies' surfaces that is closest to `x`; one that is not nearer than `reach` need not be
   /// found.
-  ClosestPoint closest(const Eigen::Vector3d& x, BodySet bodies, double reach) const;
+  solids::ClosestPoint closest(const Eigen::Vector3d& x, BodySet bodies, double reach) const;
 
   /// The first body that has a point inside, or nearer to its surface than `distance`.
   std::optional<std::size_t> bodyAt(const Eigen::Vector3d& x, double distance) const;
@@ -58,24 +57,23 @@ class Bodies {
   /// The bodies that come within reach of each cell: what a particle in it may touch or feel within a step.
   std::vector<BodySet> nearCells(const CellGeometry& geometry) const;
 
+  /// "bodies[2]", as the scene counts.
+  const std::string& pathOf(std::size_t body) const { return walls_[body].path; }
   /// "bodies[2] (pillar)".
-  std::string nameOf(std::size_t body) const;
+  const std::string& nameOf(std::size_t body) const { return walls_[body].name; }
 
   /// What a person may not expect of them.
   const std::vector<std::string>& notices() const { return notices_; }
 
  private:
-  struct Placed {
-    std::unique_ptr<const BodyShape> shape;
-    Eigen::Isometry3d toContainer;
-    Eigen::Isometry3d toBody;
-    Eigen::AlignedBox3d bounds;  ///< In the container's coordinates.
-    SurfaceSampling sampling;
-    bool solid;
-    std::string name;
+  struct Wall {
+    solids::PlacedBody body;
+    solids::SurfaceSampling sampling;
+    std::string path;  ///< "bodies[2]".
+    std::string name;  ///< "bodies[2] (pillar)".
   };
 
-  std::vector<Placed> bodies_;
+  std::vector<Wall> walls_;
   std::vector<std::string> notices_;
   Eigen::AlignedBox3d within_;  ///< What a boundary particle may lie in to be felt.
   double reach_ = 0;            ///< Support and the longest move of a step, m.

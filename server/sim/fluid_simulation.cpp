@@ -55,7 +55,7 @@ double checkedBoundaryCount(const Container& container, const Bodies& bodies, co
   check(count, "simulation.container", "the container's faces");
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     count += bodies.expectedSamples(k);
-    check(count, "bodies[" + std::to_string(k) + "]", "the body and what comes before it");
+    check(count, bodies.pathOf(k), "the body and what comes before it");
   }
   return count;
 }

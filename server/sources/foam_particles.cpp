@@ -77,22 +77,6 @@ Motion rise(const Motion& from, const Vector3f& liquid, const FoamLife& life, fl
           terminal + decay * (from.velocity - terminal)};
 }
 
-/// Puts what has passed a wall back onto it.
-void holdInside(const Eigen::AlignedBox3f& box, Motion& motion) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const float held = std::clamp(motion.position[axis], box.min()[axis], box.max()[axis]);
-    if (held != motion.position[axis]) motion.velocity[axis] = 0;
-    motion.position[axis] = held;
-  }
-}
-
-/// Whether a point touches the face of the box that gravity points to.
-bool isOnGround(const Eigen::AlignedBox3f& box, const Vector3f& point, const Vector3f& gravity) {
-  int axis = 0;
-  if (gravity.cwiseAbs().maxCoeff(&axis) == 0) return false;
-  return gravity[axis] < 0 ? point[axis] <= box.min()[axis] : point[axis] >= box.max()[axis];
-}
-
 }  // namespace
 
 DiffuseKind kindOf(float neighbours) {
@@ -153,9 +137,9 @@ void FoamParticles::advance(const LiquidGrid& liquid, const FoamWalls& walls, co
                                        : rise(now, velocity, life, seconds);
     }
     if (kind == DiffuseKind::Foam) all_.remaining[i] -= seconds / life.lifetime;
-    if (walls.box()) {
-      holdInside(*walls.box(), then);
-      if (kind == DiffuseKind::Spray && isOnGround(*walls.box(), then.position, life.gravity)) all_.remaining[i] = 0;
+    walls.hold(now.position, then.position, then.velocity);
+    if (walls.areClosed()) {
+      if (kind == DiffuseKind::Spray && walls.isOnGround(then.position, life.gravity)) all_.remaining[i] = 0;
     } else if (!scene.contains(then.position)) {
       all_.remaining[i] = 0;
     }
@@ -203,7 +187,7 @@ void FoamParticles::create(const LiquidGrid& liquid, const FoamPotentials& poten
       const Vector3f aside = radius * (std::cos(angle) * across + std::sin(angle) * other);
       Motion born{liquid.position(k) + 0.5F * scales.spacing * aside - dice.roll() * seconds * velocity,
                   velocity + kSpread * speed * aside};
-      if (walls.box()) holdInside(*walls.box(), born);
+      walls.hold(liquid.position(k), born.position, born.velocity);
       add(born.position, born.velocity, kindOf(potentials.neighbours()[k]),
           kLeastLife + (1 - kLeastLife) * dice.roll());
     }

@@ -37,6 +37,7 @@ class FoamSource : public core::ParticleSource {
   FoamSource(std::unique_ptr<core::ParticleSource> liquid, const v1::Scene& scene, int threads)
       : liquid_(std::move(liquid)), threads_(threads > 0 ? threads : omp_get_max_threads()), particles_(scene.seed()) {
     takeOver(scene);
+    if (isOn_) walls_ = FoamWalls(scene);
     startAnew();
   }
 
@@ -64,12 +65,14 @@ class FoamSource : public core::ParticleSource {
     // The liquid may have moved on since the last step: what it carries is drawn where it has come to.
     const auto seconds = static_cast<float>(liquid_->time() - time_);
     if (seconds <= 0) return snapshot;
+    const FoamWalls walls = wallsOf(*snapshot);
     core::DiffuseParticles& diffuse = snapshot->diffuse;
     for (std::size_t i = 0; i < diffuse.size(); ++i) {
-      Vector3f& position = diffuse.positions[i];
-      position += seconds * diffuse.velocities[i];
+      Vector3f position = diffuse.positions[i] + seconds * diffuse.velocities[i];
       if (diffuse.kinds[i] == core::DiffuseKind::Spray) position += 0.5F * seconds * seconds * life_.gravity;
-      if (walls_.box()) position = position.cwiseMax(walls_.box()->min()).cwiseMin(walls_.box()->max());
+      Vector3f velocity = diffuse.velocities[i];
+      walls.hold(diffuse.positions[i], position, velocity);
+      diffuse.positions[i] = position;
     }
     return snapshot;
   }
@@ -80,7 +83,10 @@ class FoamSource : public core::ParticleSource {
     liquid_->update(scene);
     const bool wasOn = isOn_;
     takeOver(scene);
-    if (isOn_ != wasOn) startAnew();
+    if (isOn_ == wasOn) return;
+    // Walls themselves do not change while a source runs.
+    if (isOn_) walls_ = FoamWalls(scene);
+    startAnew();
   }
 
   std::string halted() const override { return liquid_->halted(); }
@@ -143,11 +149,13 @@ class FoamSource : public core::ParticleSource {
     life_.most = foam.max_particles();
     // Stored liquid has the gravity that nearly every simulation has.
     life_.gravity = scene.has_simulation() ? toVector(scene.simulation().gravity()) : FoamLife().gravity;
-    walls_ = FoamWalls();
-    if (scene.has_simulation()) {
-      const v1::Box& container = scene.simulation().container();
-      walls_ = FoamWalls({toVector(container.min()), toVector(container.max())});
-    }
+  }
+
+  /// The walls, with the bodies where a snapshot has them.
+  FoamWalls wallsOf(const core::ParticleSnapshot& snapshot) const {
+    FoamWalls walls = walls_;
+    walls.moveBodies(snapshot.bodies);
+    return walls;
   }
 
   void startAnew() {
@@ -172,15 +180,16 @@ class FoamSource : public core::ParticleSource {
     hasVelocities_ = liquid->velocities.size() == liquid->size();
     if (!hasVelocities_) return;
 
+    const FoamWalls walls = wallsOf(*liquid);
     const FoamScales scales = foamScales(liquid->size(), liquid->spacing, static_cast<double>(life_.gravity.norm()));
     {
       const core::StageTimer timer(stages_, kPotentialsStage);
       grid_.build(liquid->positions, liquid->velocities, scales.support, threads_);
-      if (makesAny()) potentials_.compute(grid_, walls_, scales, rates_, threads_);
+      if (makesAny()) potentials_.compute(grid_, walls, scales, rates_, threads_);
     }
     const core::StageTimer timer(stages_, kParticlesStage);
-    particles_.advance(grid_, walls_, scales, life_, seconds, threads_);
-    if (makesAny()) particles_.create(grid_, potentials_, liquid->ids, walls_, scales, seconds);
+    particles_.advance(grid_, walls, scales, life_, seconds, threads_);
+    if (makesAny()) particles_.create(grid_, potentials_, liquid->ids, walls, scales, seconds);
     particles_.keepAtMost(life_.most);
   }
 

@@ -15,6 +15,7 @@ const Layers kLayers = {
     {"proto"},
     {"core"},
     {"scene", "gl", "imageio", "particleio"},
+    {"solids"},
     {"sim", "sources", "surface", "render", "encode", "stream", "client"},
     {"evaluate"},
     {"app"},

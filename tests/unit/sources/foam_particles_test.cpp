@@ -130,6 +130,36 @@ TEST_F(FoamMotion, StopsAtWalls) {
   EXPECT_EQ(particles_.all().velocities.at(0).z(), 1);
 }
 
+TEST_F(FoamMotion, StopsAtBodiesHoweverThin) {
+  v1::Scene scene;
+  v1::Simulation& simulation = *scene.mutable_simulation();
+  simulation.set_particle_spacing(0.1);
+  const auto set = [](v1::Vec3* v, double x, double y, double z) {
+    v->set_x(x);
+    v->set_y(y);
+    v->set_z(z);
+  };
+  set(simulation.mutable_container()->mutable_min(), -2, 0, -2);
+  set(simulation.mutable_container()->mutable_max(), 3, 3, 3);
+  v1::Body& pane = *scene.add_bodies();
+  set(pane.mutable_position(), 2, 1.5, 0.5);
+  set(pane.mutable_box()->mutable_size(), 0.001, 3, 3);
+  pane.mutable_glass();
+  const FoamWalls walls(scene);
+  particles_.add({1.9F, 2, 0.5F}, Vector3f(20, 0, 1), DiffuseKind::Spray, 1);
+  advance(0.02F, 1, walls);
+  EXPECT_LT(particles_.all().positions.at(0).x(), 2);
+  EXPECT_GT(particles_.all().positions.at(0).x(), 1.98);
+  EXPECT_NEAR(particles_.all().velocities.at(0).x(), 0, 1e-5);
+  EXPECT_EQ(particles_.all().velocities.at(0).z(), 1);
+
+  pane.set_solid(false);
+  particles_.clear();
+  particles_.add({1.9F, 2, 0.5F}, Vector3f(20, 0, 1), DiffuseKind::Spray, 1);
+  advance(0.02F, 1, FoamWalls(scene));
+  EXPECT_GT(particles_.all().positions.at(0).x(), 2.2) << "is only drawn";
+}
+
 TEST_F(FoamMotion, OfNothingInNoLiquidIsSafe) {
   LiquidGrid empty;
   empty.build({}, {}, 0.2F, 2);

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "body_shape.h"
 #include "sluice/particleio/mesh_file.h"
+#include "sluice/solids/body_shape.h"
 
-namespace sluice::sim {
+namespace sluice::solids {
 
 /// A surface of triangles. It is closed where every edge belongs to two of them; which way they face does not matter.
 class MeshShape : public BodyShape {
@@ -50,4 +50,4 @@ class MeshShape : public BodyShape {
   std::vector<std::vector<std::uint32_t>> standing_;
 };
 
-}  // namespace sluice::sim
+}  // namespace sluice::solids

@@ -9,7 +9,7 @@
 
 #include "sluice/v1/scene.pb.h"
 
-namespace sluice::sim {
+namespace sluice::solids {
 
 /// The point of a surface that is closest to another; far away where none is within the distance asked for.
 struct ClosestPoint {
@@ -52,4 +52,4 @@ class BodyShape {
 /// ("bodies[2]").
 std::unique_ptr<const BodyShape> makeBodyShape(const v1::Body& body, const std::string& fieldPath);
 
-}  // namespace sluice::sim
+}  // namespace sluice::solids

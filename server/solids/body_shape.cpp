@@ -1,4 +1,4 @@
-#include "body_shape.h"
+#include "sluice/solids/body_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "sluice/particleio/mesh_file.h"
 #include "sluice/scene/convert.h"
 
-namespace sluice::sim {
+namespace sluice::solids {
 
 namespace {
 
@@ -239,4 +239,4 @@ std::unique_ptr<const BodyShape> makeBodyShape(const v1::Body& body, const std::
   }
 }
 
-}  // namespace sluice::sim
+}  // namespace sluice::solids

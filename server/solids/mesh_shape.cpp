@@ -6,7 +6,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace sluice::sim {
+namespace sluice::solids {
 
 namespace {
 
@@ -282,4 +282,4 @@ void MeshShape::sample(const SurfaceSampling& sampling, const AddPoint& add) con
   }
 }
 
-}  // namespace sluice::sim
+}  // namespace sluice::solids
