@@ -61,7 +61,7 @@ class FluidRenderer::Impl {
     clock_.lap("environment");
     noteParticles(particles);
     passes_.setBodies(scene, particles.bodies);
-    bodyRect_ = placeInPicture(passes_.bodies(), view);
+    bodyPlaces_ = placesInPicture(passes_.bodies(), view);
     shadedFloor_ = shadedFloor(passes_.bodies(), scene, view);
     std::vector<DataTraits> traits;
     for (std::size_t k = 0; k < liquids_.size(); ++k)
@@ -308,6 +308,8 @@ class FluidRenderer::Impl {
     for (std::size_t k = 0; k < liquids_.size(); ++k) {
       LiquidState& liquid = *liquids_[k];
       upload(liquid.surfaceUniforms, frameUniforms(liquid.surfaceView));
+      liquid.backView = divided(view, plan.surfaces[k].backDivisor);
+      if (plan.runs(Pass::BackSplats, k)) upload(liquid.backUniforms, frameUniforms(liquid.backView));
       upload(liquid.liquidUniforms, makeLiquidUniforms(liquid.surfaceView, liquid.thicknessView, liquid.scale,
                                                        plan.surfaces[k], liquid.mirror, lookOf(scene, k)));
     }
@@ -317,11 +319,12 @@ class FluidRenderer::Impl {
                          const ViewGeometry& view) {
     static const core::ParticleSnapshot kNoParticles;
     LiquidState& liquid = *liquids_[step.liquid];
+    const bool ofBack = step.pass == Pass::BackSplats || step.pass == Pass::BackSmoothing;
     return {plan,
             scene,
             view,
             pictureUniforms_.name(),
-            bodyRect_,
+            bodyPlaces_,
             shadedFloor_,
             uniforms_,
             raster_,
@@ -331,7 +334,7 @@ class FluidRenderer::Impl {
             step.layer,
             liquid.particles ? *liquid.particles : kNoParticles,
             lookOf(scene, step.liquid),
-            liquid.surfaceView,
+            ofBack ? liquid.backView : liquid.surfaceView,
             liquid.thicknessView,
             liquid.scale,
             liquid.model.shape,
@@ -340,7 +343,7 @@ class FluidRenderer::Impl {
             liquid.splats,
             liquid.mirror,
             liquid.cube,
-            liquid.surfaceUniforms.name(),
+            ofBack ? liquid.backUniforms.name() : liquid.surfaceUniforms.name(),
             liquid.liquidUniforms.name(),
             liquid.marks.violence()};
   }
@@ -375,8 +378,8 @@ class FluidRenderer::Impl {
   SplatRaster raster_;
   std::vector<FoamDot> foam_;  ///< Of the frame at hand.
   gl::StreamBuffer pictureUniforms_;
-  PixelRect bodyRect_;
-  PixelRect shadedFloor_;
+  std::vector<PixelRect> bodyPlaces_;
+  std::vector<PixelRect> shadedFloor_;
   FrameUniforms uniforms_{};
   core::Plan plan_;
 

@@ -44,4 +44,11 @@ void keepToLiquid() {
 
 void drawPicture() { glDrawArrays(GL_TRIANGLES, 0, 3); }
 
+void drawPicture(std::span<const PixelRect> places) {
+  for (const PixelRect& place : places) {
+    const KeepTo keepTo(place);
+    drawPicture();
+  }
+}
+
 }  // namespace sluice::render

@@ -23,8 +23,8 @@ struct FrameContext {
   const v1::Scene& scene;
   const ViewGeometry& view;       ///< Of the picture.
   GLuint pictureUniforms;         ///< The frame's uniforms of passes that draw into the picture.
-  const PixelRect& bodyRect;      ///< Where bodies show in it, see placeInPicture.
-  const PixelRect& shadedFloor;   ///< Where the floor is in their shade, see shadedFloor().
+  std::span<const PixelRect> bodyPlaces;   ///< Where bodies show in it, see placesInPicture.
+  std::span<const PixelRect> shadedFloor;  ///< Where the floor is in their shade, see shadedFloor().
   const FrameUniforms& uniforms;  ///< The same.
   SplatRaster& raster;
   std::span<const FoamDot> foam;
@@ -35,7 +35,7 @@ struct FrameContext {
   std::uint8_t layer;  ///< See PassStep::layer.
   const core::ParticleSnapshot& particles;
   const v1::Look& look;
-  const ViewGeometry& surfaceView;    ///< Of the surface, which may be coarser.
+  const ViewGeometry& surfaceView;    ///< Of the surface, which may be coarser; of its back, in passes that draw that.
   const ViewGeometry& thicknessView;  ///< Of the thickness, likewise.
   const SplatScale& scale;
   SplatShape shape;
@@ -68,5 +68,7 @@ void keepToLiquid();
 
 /// Draws the triangle that covers the picture; its vertices come from picture.vert or background.vert.
 void drawPicture();
+/// The same in each of these places alone.
+void drawPicture(std::span<const PixelRect> places);
 
 }  // namespace sluice::render

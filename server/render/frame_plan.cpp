@@ -108,6 +108,8 @@ std::string_view name(Resource resource) {
       return "surface scratch 4";
     case Resource::BackSurface:
       return "back surface";
+    case Resource::BackCoarse:
+      return "coarse back surface";
     case Resource::BackDepth:
       return "back depth";
     case Resource::Stencil:
@@ -141,7 +143,8 @@ std::string_view name(Resource resource) {
 }
 
 bool isSurface(Resource resource) {
-  return resource == Resource::Surface || resource == Resource::BackSurface || resource == Resource::BackDepth ||
+  return resource == Resource::Surface || resource == Resource::BackSurface || resource == Resource::BackCoarse ||
+         resource == Resource::BackDepth ||
          std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
 }
 

@@ -28,6 +28,7 @@ struct LiquidState {
 
   // Of the frame at hand.
   ViewGeometry surfaceView;
+  ViewGeometry backView;
   ViewGeometry thicknessView;
   SplatScale scale;
   SplatSelection selection;
@@ -35,6 +36,7 @@ struct LiquidState {
 
   SplatBuffers splats;
   gl::StreamBuffer surfaceUniforms;  ///< FrameUniforms of passes that draw into the surface.
+  gl::StreamBuffer backUniforms;     ///< The same of the back surface, where it is drawn.
   gl::StreamBuffer liquidUniforms;
 };
 

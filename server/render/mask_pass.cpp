@@ -16,7 +16,7 @@ void MaskPass::run(const FrameContext& frame) {
   glUseProgram(program_.name());
   // The surface is read and, with its colour masked off, not written: no feedback.
   drawPicture();
-  if (frame.targets.has(Resource::SceneDepth) && !frame.bodyRect.isEmpty()) takeOutHidden(frame);
+  if (frame.targets.has(Resource::SceneDepth) && !frame.bodyPlaces.empty()) takeOutHidden(frame);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
@@ -24,13 +24,14 @@ void MaskPass::takeOutHidden(const FrameContext& frame) {
   if (!hidden_) hidden_ = shaders().program("picture.vert", "mask.frag", std::array{std::string_view("BODIES")});
   // The surface may be coarser than the picture.
   const int divisor = static_cast<int>(frame.look.smoothing().divisor());
-  const PixelRect& rect = frame.bodyRect;
-  const KeepTo keepTo(
-      PixelRect{rect.left / divisor, rect.top / divisor, rect.width / divisor + 2, rect.height / divisor + 2});
+  std::vector<PixelRect> places;
+  for (const PixelRect& rect : frame.bodyPlaces) {
+    places.push_back({rect.left / divisor, rect.top / divisor, rect.width / divisor + 2, rect.height / divisor + 2});
+  }
   bindTexture(frame, 7, Resource::SceneDepth);
   glStencilFunc(GL_ALWAYS, 0, 0xFF);
   glUseProgram(hidden_->name());
-  drawPicture();
+  drawPicture(places);
 }
 
 }  // namespace sluice::render

@@ -28,7 +28,7 @@ class BackgroundPass {
   void run(const FrameContext& frame);
 
  private:
-  void drawFloor(bool bodies, bool lamps);
+  void useFloor(bool bodies, bool lamps);
 
   gl::Program sky_;
   std::map<std::pair<bool, bool>, gl::Program> floors_;  ///< By whether bodies shade it, and lamps light it.
