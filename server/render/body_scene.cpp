@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "frame_uniforms.h"
+#include "picture_cover.h"
 #include "same.h"
 
 namespace sluice::render {
@@ -130,33 +131,6 @@ BodyScene::Ball outlineOf(const BodyInstance& body) {
 
 namespace {
 
-/// Grows to what boxes of points cover of a picture.
-class Cover {
- public:
-  explicit Cover(const ViewGeometry& view) : view_(view) {}
-
-  void add(const Eigen::Vector3f& point) {
-    const Eigen::Vector3f at = view_.toView(point);
-    constexpr float kNear = 0.01F;  // m
-    if (at.z() < kNear) isWhole_ = true;
-    if (!isWhole_) bounds_.extend(view_.toPixel(at.head<2>() / at.z()));
-  }
-
-  PixelRect pixels() const {
-    if (isWhole_) return {0, 0, view_.size.width, view_.size.height};
-    if (bounds_.isEmpty()) return {};
-    const auto whole = Eigen::Array2f(static_cast<float>(view_.size.width), static_cast<float>(view_.size.height));
-    const Eigen::Array2i low = (bounds_.min().array() - 1).floor().max(0).min(whole).cast<int>();
-    const Eigen::Array2i high = (bounds_.max().array() + 1).ceil().max(0).min(whole).cast<int>();
-    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
-  }
-
- private:
-  const ViewGeometry& view_;
-  Eigen::AlignedBox2f bounds_;
-  bool isWhole_ = false;
-};
-
 /// Radii of the ball around a body beyond which it hides no sky, see body_shadow.glsl: five of contacts' radii.
 constexpr float kReachOfContact = 5.0F * kContactRadius;
 
@@ -166,11 +140,8 @@ std::vector<PixelRect> placesInPicture(const BodyScene& bodies, const ViewGeomet
   std::vector<PixelRect> places;
   for (const BodyInstance& body : bodies.bodies()) {
     if (body.isGlass()) continue;
-    const Eigen::AlignedBox3f box = localBox(body);
-    Cover cover(view);
-    for (int corner = 0; corner < 8; ++corner) {
-      cover.add(body.pose * box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)));
-    }
+    PictureCover cover(view);
+    cover.add(localBox(body), body.pose);
     places.push_back(cover.pixels());
   }
   return disjoint(std::move(places));
@@ -185,7 +156,7 @@ std::vector<PixelRect> shadedFloor(const BodyScene& bodies, const v1::Scene& sce
   std::vector<PixelRect> places;
   for (const BodyInstance& body : bodies.bodies()) {
     if (body.isGlass()) continue;
-    Cover cover(view);
+    PictureCover cover(view);
     const auto addSquare = [&](const Eigen::Vector3f& middle, float half) {
       for (const float x : {-half, half}) {
         for (const float z : {-half, half}) cover.add({middle.x() + x, floor, middle.z() + z});

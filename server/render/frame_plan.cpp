@@ -50,6 +50,8 @@ std::string_view name(Pass pass) {
       return "cube map";
     case Pass::BeginPicture:
       return "begin picture";
+    case Pass::Layers:
+      return "layers";
     case Pass::ExtendScene:
       return "extend scene";
     case Pass::Composite:
@@ -144,8 +146,7 @@ std::string_view name(Resource resource) {
 
 bool isSurface(Resource resource) {
   return resource == Resource::Surface || resource == Resource::BackSurface || resource == Resource::BackCoarse ||
-         resource == Resource::BackDepth ||
-         std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
+         resource == Resource::BackDepth || std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
 }
 
 bool isAsFineAsSurface(Resource resource) {

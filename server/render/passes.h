@@ -86,6 +86,8 @@ class MaskPass {
  public:
   MaskPass();
   void run(const FrameContext& frame);
+  /// Of several liquids: writes how many others are behind each pixel.
+  void runLayers(const FrameContext& frame);
 
  private:
   /// Liquid behind bodies.
@@ -93,6 +95,7 @@ class MaskPass {
 
   gl::Program program_;
   std::optional<gl::Program> hidden_;
+  std::optional<gl::Program> layers_;
 };
 
 /// The farthest side of the liquid's splats.

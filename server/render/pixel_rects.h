@@ -13,8 +13,8 @@ namespace sluice::render {
 struct PixelRect {
   int left = 0, top = 0, width = 0, height = 0;
 
-  int right() const { return left + width; }    ///< The first column beyond.
-  int bottom() const { return top + height; }   ///< The first row beyond.
+  int right() const { return left + width; }   ///< The first column beyond.
+  int bottom() const { return top + height; }  ///< The first row beyond.
   bool isEmpty() const { return width <= 0 || height <= 0; }
   bool meets(const PixelRect& other) const {
     return left < other.right() && other.left < right() && top < other.bottom() && other.top < bottom();

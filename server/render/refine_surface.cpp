@@ -59,8 +59,7 @@ void refineSurface(std::span<const float> coarse, core::ImageSize coarseSize, fl
       float* const result = fine.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(fineSize.width);
       for (std::size_t x = 0; x < columns.size(); ++x) {
         const auto& [first, second, share] = columns[x];
-        result[x] =
-            blend(row[static_cast<std::size_t>(first)], row[static_cast<std::size_t>(second)], share, edge);
+        result[x] = blend(row[static_cast<std::size_t>(first)], row[static_cast<std::size_t>(second)], share, edge);
       }
     }
   }

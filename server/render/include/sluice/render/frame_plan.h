@@ -37,6 +37,7 @@ enum class Pass : std::uint8_t {
   CubeMap,
   GlassBehind,
   BeginPicture,
+  Layers,
   ExtendScene,
   Composite,
   BlendLiquid,
