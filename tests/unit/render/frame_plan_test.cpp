@@ -324,7 +324,7 @@ TEST_F(FramePlanTest, TheCpuDrawsTheBackAtHalfTheSize) {
   EXPECT_EQ(plan().buffer(Resource::BackCoarse), nullptr) << "the surface is as coarse";
   EXPECT_EQ(plan().surfaces[0].backDivisor, 2U);
   look.mutable_smoothing()->set_divisor(1);
-  look.mutable_smoothing()->mutable_curvature_flow();
+  look.mutable_smoothing()->mutable_bilateral();
   scene::complete(look);
   EXPECT_EQ(plan().buffer(Resource::BackCoarse), nullptr) << "it is smoothed in buffers of the surface's size";
   look.mutable_smoothing()->mutable_implicit_curvature_flow();
