@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "simd.h"
+#include "sluice/core/simd.h"
 #include "sluice/core/check.h"
 
 namespace sluice::render {
