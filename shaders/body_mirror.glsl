@@ -58,23 +58,22 @@ vec4 bodySeen(vec3 origin, vec3 direction) {
   vec2 way = wayThroughBodies(origin, direction);
   if (way.x >= way.y) return vec4(0.0);
   float step = (way.y - way.x) / liquid.mirrorSteps.x;
+  // Onwards until the ray has met it, then by halves between there and the place before: one loop, for software GL runs
+  // every loop's body at least once.
   float before = way.x;
-  float along = way.x;
+  float at = way.x;
+  float met = -1.0;
   bool wasBefore = false;
-  bool meets = false;
-  for (float i = 0.0; i <= liquid.mirrorSteps.x && !meets; i += 1.0) {
-    before = along;
-    along = way.x + i * step;
-    float behind = behindBody(origin + along * direction);
-    meets = behind >= 0.0 && behind < (wasBefore ? liquid.cubeAndReach.w : step);
+  int halves = 4;
+  while (halves > 0 && at <= way.y + 0.5 * step) {
+    float behind = behindBody(origin + at * direction);
+    bool onwards = met < 0.0;
+    bool meets = behind >= 0.0 && (!onwards || behind < (wasBefore ? liquid.cubeAndReach.w : step));
     wasBefore = behind < 0.0 && behind > -kNoBody;
+    met = meets ? at : met;
+    before = meets ? before : at;
+    halves -= onwards ? 0 : 1;
+    at = met < 0.0 ? at + step : 0.5 * (before + met);
   }
-  if (!meets) return vec4(0.0);
-  for (int k = 0; k < 4; ++k) {
-    float middle = 0.5 * (before + along);
-    bool isBehind = behindBody(origin + middle * direction) >= 0.0;
-    along = isBehind ? middle : along;
-    before = isBehind ? before : middle;
-  }
-  return vec4(bodyRadiance(origin + along * direction), 1.0);
+  return met < 0.0 ? vec4(0.0) : vec4(bodyRadiance(origin + met * direction), 1.0);
 }

@@ -15,9 +15,6 @@
 #include "refraction.glsl"
 #include "clear_body.glsl"
 #endif
-#ifdef LAYERED
-#include "layers.glsl"
-#endif
 #ifdef NOISE
 #include "surface_noise.glsl"
 #endif
@@ -43,9 +40,6 @@ vec3 opaqueBody(vec3 point, vec3 normal, float cosine) {
 
 void main() {
   float q = inverseDepthAt(uv);
-#ifdef LAYERED
-  if (!isOfLayer(slope, q)) discard;
-#endif
   vec3 P = vec3(slope, 1.0) / q;
   vec3 sight = normalize(vec3(slope, 1.0));
   vec3 normal = surfaceNormal(uv, slope, q, 3.0 * liquid.splat.x);

@@ -24,6 +24,11 @@ bool isBehind(float z, vec2 slope) {
 #ifdef BODIES
   vec2 at = 0.5 + 0.5 * slope / frame.pictureSlopes.xy;
   vec4 q = textureGather(sceneDepth, at);  // of every pixel that shows in a sample there
+  // Pixels that a body covers in part show it, and have no depth of it: a pixel farther in has.
+  vec2 beside = 1.5 / vec2(textureSize(sceneDepth, 0));
+  q = max(q, vec4(texture(sceneDepth, at + beside).r, texture(sceneDepth, at - beside).r,
+                  texture(sceneDepth, at + vec2(beside.x, -beside.y)).r,
+                  texture(sceneDepth, at + vec2(-beside.x, beside.y)).r));
   float nearest = max(max(q.x, q.y), max(q.z, q.w));
   return nearest * z < 1.0 || nearest < 1.02 * floorInverseDepth(slope);
 #else

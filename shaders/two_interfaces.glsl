@@ -67,10 +67,13 @@ Transmitted transmitted(Entry entry) {
   vec2 slope = hit.xy / hit.z;
   vec2 at = placeInPicture(slope);
   bool inPicture = hit.z > entry.place.z && all(equal(at, clamp(at, 0.0, 1.0))) && isBehind(entry.place.z, slope);
-  vec3 through = inPicture ? texture(scene, at).rgb
-                           : transmittedRadiance(leaves ? world : entry.origin, leaves ? worldLeaving : worldInside);
-  // What the back mirrors leaves the liquid somewhere at its side, and comes from the surroundings.
-  vec3 inward = transmittedRadiance(world, toWorldDirection(reflect(inside, normal)));
-  return Transmitted(mix(through, inward, mirrored), path);
+  // What the back mirrors leaves the liquid somewhere at its side, and comes from the surroundings. So does what leaves
+  // it for where the picture ends: of the two, the larger share stands for both there.
+  bool looksInward = inPicture || mirrored > 0.5;
+  vec3 outwards = leaves ? worldLeaving : worldInside;
+  vec3 around = transmittedRadiance(looksInward || leaves ? world : entry.origin,
+                                    looksInward ? toWorldDirection(reflect(inside, normal)) : outwards);
+  vec3 through = inPicture ? texture(scene, at).rgb : around;
+  return Transmitted(mix(through, around, mirrored), path);
 #endif
 }

@@ -7,6 +7,7 @@
 #include "sluice/core/input_error.h"
 #include "sluice/evaluate/study.h"
 #include "smoothing/smoothing_study.h"
+#include "speed/speed_study.h"
 #include "stability/stability_study.h"
 
 namespace sluice::evaluate {
@@ -19,6 +20,8 @@ std::span<const Study> studies() {
             stabilityParts, runStabilityStudy},
       Study{"features", "what each feature costs, and leaving it out saves", featureParts, runFeaturesStudy},
       Study{"scaling", "how the time of a frame grows with particles and with pixels", scalingParts, runScalingStudy},
+      Study{"speed", "the solver's speed: over particles, over threads, and each stage against what the machine can do",
+            speedParts, runSpeedStudy},
   };
   return kStudies;
 }

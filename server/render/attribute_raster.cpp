@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simd.h"
+#include "sluice/core/simd.h"
 
 namespace sluice::render {
 

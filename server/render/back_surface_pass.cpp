@@ -22,7 +22,8 @@ void drawNatively(const FrameContext& frame, std::span<float> depth) {
 
 void BackSplatsPass::run(const FrameContext& frame) {
   const bool native = frame.plan.device.software;
-  const Resource depth = native ? Resource::BackSurface : Resource::BackDepth;
+  const bool coarse = frame.plan.buffer(Resource::BackCoarse, frame.liquid) != nullptr;
+  const Resource depth = !native ? Resource::BackDepth : coarse ? Resource::BackCoarse : Resource::BackSurface;
   if (native) {
     drawNatively(frame, frame.targets.startAnew(depth));
   } else {

@@ -12,14 +12,17 @@ void BackgroundPass::run(const FrameContext& frame) {
   if (!frame.scene.background().floor()) return;
   const bool hasLamps = !frame.scene.lighting().point_lights().empty();
   const bool hasBodies = frame.plan.buffer(Resource::SceneDepth) != nullptr;
-  drawFloor(false, hasLamps);
-  if (!hasBodies || frame.shadedFloor.isEmpty()) return;
-  // Again where bodies shade it.
-  const KeepTo keepTo(frame.shadedFloor);
-  drawFloor(true, hasLamps);
+  useFloor(false, hasLamps);
+  if (!hasBodies || frame.shadedFloor.empty()) {
+    drawPicture();
+    return;
+  }
+  drawPicture(complement(frame.shadedFloor, frame.view.size));
+  useFloor(true, hasLamps);
+  drawPicture(frame.shadedFloor);
 }
 
-void BackgroundPass::drawFloor(bool bodies, bool lamps) {
+void BackgroundPass::useFloor(bool bodies, bool lamps) {
   const std::pair variant(bodies, lamps);
   auto floor = floors_.find(variant);
   if (floor == floors_.end()) {
@@ -29,7 +32,6 @@ void BackgroundPass::drawFloor(bool bodies, bool lamps) {
     floor = floors_.emplace(variant, shaders().program("background.vert", "background.frag", defines)).first;
   }
   glUseProgram(floor->second.name());
-  drawPicture();
 }
 
 }  // namespace sluice::render

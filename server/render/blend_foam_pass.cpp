@@ -62,10 +62,7 @@ void BlendFoamPass::run(const FrameContext& frame) const {
   const auto glow = glows(liquid) ? pack(liquid.emission()) : std::array<float, 4>{};
   glProgramUniform3fv(program_.name(), 1, 1, glow.data());
   glUseProgram(program_.name());
-  for (const PixelRect& place : placesOf(frame.foam, frame.view)) {
-    const KeepTo keepTo(place);
-    drawPicture();
-  }
+  drawPicture(placesOf(frame.foam, frame.view));
 }
 
 }  // namespace sluice::render

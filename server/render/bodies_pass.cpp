@@ -48,12 +48,15 @@ void BodiesPass::fit(core::ImageSize size) {
   glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth_.name(), 0);
 }
 
-void BodiesPass::drawSamples(const BodyScene& bodies) {
+void BodiesPass::drawSamples(const BodyScene& bodies, const ViewGeometry& view, std::span<const PixelRect> places) {
   constexpr std::array<GLfloat, 4> kNothing{};
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing.data());
-  glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, kNothing.data());
-  matte_.draw(bodies);
+  for (const PixelRect& place : places) {
+    const KeepTo keepTo(place);
+    glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing.data());
+    glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, kNothing.data());
+  }
+  matte_.draw(bodies, view);
 }
 
 void BodiesPass::bindSamples() const {
@@ -68,10 +71,9 @@ void BodiesPass::run(const FrameContext& frame, const BodyScene& bodies) {
   }
   fit(frame.view.size);
   frame.targets.clear(Resource::SceneDepth);
-  if (frame.bodyRect.isEmpty()) return;
-  const KeepTo keepTo(frame.bodyRect);
+  if (frame.bodyPlaces.empty()) return;
   beginTarget(frame, Resource::Background);
-  drawSamples(bodies);
+  drawSamples(bodies, frame.view, frame.bodyPlaces);
 
   bindSamples();
   beginTarget(frame, Resource::Background);
@@ -79,15 +81,14 @@ void BodiesPass::run(const FrameContext& frame, const BodyScene& bodies) {
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC1_ALPHA);
   glUseProgram(resolve_->name());
-  drawPicture();
+  drawPicture(frame.bodyPlaces);
   beginTarget(frame, Resource::SceneDepth);
   glUseProgram(sceneDepth_->name());
-  drawPicture();
+  drawPicture(frame.bodyPlaces);
 }
 
 void BodiesPass::runEdges(const FrameContext& frame) {
-  if (frame.bodyRect.isEmpty()) return;
-  const KeepTo keepTo(frame.bodyRect);
+  if (frame.bodyPlaces.empty()) return;
   std::set<std::string_view> defines = liquidFrontDefines(frame);
   defines.insert("EDGES");
   auto program = edges_.find(defines);
@@ -102,7 +103,7 @@ void BodiesPass::runEdges(const FrameContext& frame) {
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC1_ALPHA);
   glUseProgram(program->second.name());
-  drawPicture();
+  drawPicture(frame.bodyPlaces);
 }
 
 }  // namespace sluice::render

@@ -9,9 +9,9 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Facets around a sphere or cylinder: a chord of 1/96 turn is within 0.06 % of its arc, less than half a pixel where
-/// the radius fills a picture of 800 rows.
-constexpr int kAround = 96;
+/// Facets around a cylinder: a chord of 1/96 turn is within 0.06 % of its arc, less than half a pixel where the radius
+/// fills a picture of 800 rows.
+constexpr int kAround = kFacetsAround.back();
 
 /// Position at `turn` of `turns` around y, on the unit circle. Exact at whole turns, so that seams close.
 Vector3f around(int turn, int turns) {
@@ -82,26 +82,27 @@ BodyMesh makeBox(const v1::BoxShape& box) {
   return mesh;
 }
 
-BodyMesh makeSphere(const v1::SphereShape& sphere) {
+BodyMesh makeSphere(const v1::SphereShape& sphere, int facetsAround) {
   BodyMesh mesh;
   const auto radius = static_cast<float>(sphere.radius());
-  constexpr int kRows = kAround / 2;
-  for (int row = 0; row <= kRows; ++row) {
-    const double polar = std::numbers::pi * row / kRows;
+  const int rows = facetsAround / 2;
+  for (int row = 0; row <= rows; ++row) {
+    const double polar = std::numbers::pi * row / rows;
     // Exactly at the poles, so that the sphere is closed.
-    const double ring = row == 0 || row == kRows ? 0 : std::sin(polar);
-    for (int i = 0; i <= kAround; ++i) {
-      Vector3f normal = static_cast<float>(ring) * around(i, kAround);
+    const double ring = row == 0 || row == rows ? 0 : std::sin(polar);
+    for (int i = 0; i <= facetsAround; ++i) {
+      Vector3f normal = static_cast<float>(ring) * around(i, facetsAround);
       normal.y() = static_cast<float>(std::cos(polar));
       add(mesh, radius * normal, normal.normalized());
     }
   }
-  constexpr std::uint32_t kStride = kAround + 1;
-  for (std::uint32_t row = 0; row < kRows; ++row) {
-    for (std::uint32_t i = 0; i < kAround; ++i) {
-      const std::uint32_t upper = row * kStride + i;
-      const std::uint32_t lower = upper + kStride;
-      if (row + 1 < kRows) mesh.triangles.push_back({upper, lower, lower + 1});
+  const auto across = static_cast<std::uint32_t>(facetsAround);
+  const auto down = static_cast<std::uint32_t>(rows);
+  for (std::uint32_t row = 0; row < down; ++row) {
+    for (std::uint32_t i = 0; i < across; ++i) {
+      const std::uint32_t upper = row * (across + 1) + i;
+      const std::uint32_t lower = upper + across + 1;
+      if (row + 1 < down) mesh.triangles.push_back({upper, lower, lower + 1});
       if (row > 0) mesh.triangles.push_back({upper, lower + 1, upper + 1});
     }
   }

@@ -27,8 +27,17 @@ struct BodyMesh {
   std::vector<BodyRim> rims;  ///< None for what is smooth, or has no edges that are known.
 };
 
+/// Facets around round bodies, by how finely they are to be drawn.
+inline constexpr std::array kFacetsAround{32, 56, 96};
+
+/// Radius in pixels up to which so many facets are within about a third of a pixel of what they stand for: a chord of
+/// 1/n turn is up to 1 − cos(π/n) ≈ 4.93/n² radii from its arc.
+constexpr float largestRadius(int facetsAround) {
+  return 0.07F * static_cast<float>(facetsAround) * static_cast<float>(facetsAround);
+}
+
 BodyMesh makeBox(const v1::BoxShape& box);
-BodyMesh makeSphere(const v1::SphereShape& sphere);
+BodyMesh makeSphere(const v1::SphereShape& sphere, int facetsAround = kFacetsAround.back());
 BodyMesh makeCylinder(const v1::CylinderShape& cylinder);
 
 /// A file's triangles, `scale` m per unit. Vertices without a normal get the mean of the faces around them, weighted by

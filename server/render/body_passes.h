@@ -35,7 +35,7 @@ class BodiesPass {
 
  private:
   void fit(core::ImageSize size);
-  void drawSamples(const BodyScene& bodies);
+  void drawSamples(const BodyScene& bodies, const ViewGeometry& view, std::span<const PixelRect> places);
   void bindSamples() const;
 
   core::ImageSize size_;

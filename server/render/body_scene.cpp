@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "frame_uniforms.h"
+#include "picture_cover.h"
 #include "same.h"
 #include "sluice/scene/convert.h"
 
@@ -45,7 +47,8 @@ std::string keyOf(const v1::Body& body) {
 
 }  // namespace
 
-BodyModel::BodyModel(BodyMesh given) : mesh(std::move(given)), array(gl::makeVertexArray()) {
+BodyTriangles::BodyTriangles(const BodyMesh& mesh)
+    : array(gl::makeVertexArray()), indexCount(static_cast<GLsizei>(3 * mesh.triangles.size())) {
   const auto store = [](const auto& elements) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
@@ -65,9 +68,20 @@ BodyModel::BodyModel(BodyMesh given) : mesh(std::move(given)), array(gl::makeVer
   }
 }
 
-void BodyModel::draw() const {
-  glBindVertexArray(array.name());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * mesh.triangles.size()), GL_UNSIGNED_INT, nullptr);
+BodyModel::BodyModel(const v1::Body& body) : mesh(makeShape(body)) {
+  if (!body.has_sphere()) {
+    levels.emplace_back(mesh);
+    return;
+  }
+  for (const int facets : kFacetsAround) levels.emplace_back(makeSphere(body.sphere(), facets));
+}
+
+void BodyModel::draw(float radiusInPixels) const {
+  std::size_t level = 0;
+  while (level + 1 < levels.size() && radiusInPixels > largestRadius(kFacetsAround[level])) ++level;
+  const BodyTriangles& triangles = levels[level];
+  glBindVertexArray(triangles.array.name());
+  glDrawElements(GL_TRIANGLES, triangles.indexCount, GL_UNSIGNED_INT, nullptr);
 }
 
 void BodyScene::update(const v1::Scene& scene, std::span<const core::BodyPose> poses) {
@@ -90,7 +104,7 @@ void BodyScene::update(const v1::Scene& scene, std::span<const core::BodyPose> p
 
 std::shared_ptr<const BodyModel> BodyScene::modelOf(const v1::Body& body) {
   std::shared_ptr<const BodyModel>& model = models_[keyOf(body)];
-  if (model == nullptr) model = std::make_shared<const BodyModel>(makeShape(body));
+  if (model == nullptr) model = std::make_shared<const BodyModel>(body);
   return model;
 }
 
@@ -100,76 +114,61 @@ Eigen::AlignedBox3f localBox(const BodyInstance& body) {
   return box;
 }
 
+float radiusInPicture(const BodyScene::Ball& ball, const ViewGeometry& view) {
+  const float beside = (ball.centre - view.eye).squaredNorm() - ball.radius * ball.radius;
+  return beside > 0 ? ball.radius / (std::sqrt(beside) * view.pixelSlope) : std::numeric_limits<float>::infinity();
+}
+
 BodyScene::Ball boundsOf(const BodyInstance& body) {
   const Eigen::AlignedBox3f box = localBox(body);
   return {body.pose * box.center().eval(), 0.5F * box.sizes().norm()};
 }
 
+BodyScene::Ball outlineOf(const BodyInstance& body) {
+  BodyScene::Ball ball = boundsOf(body);
+  if (body.body.has_sphere()) ball.radius = static_cast<float>(body.body.sphere().radius());
+  return ball;
+}
+
 namespace {
-
-/// Grows to what boxes of points cover of a picture.
-class Cover {
- public:
-  explicit Cover(const ViewGeometry& view) : view_(view) {}
-
-  void add(const Eigen::Vector3f& point) {
-    const Eigen::Vector3f at = view_.toView(point);
-    constexpr float kNear = 0.01F;  // m
-    if (at.z() < kNear) isWhole_ = true;
-    if (!isWhole_) bounds_.extend(view_.toPixel(at.head<2>() / at.z()));
-  }
-
-  PixelRect pixels() const {
-    if (isWhole_) return {0, 0, view_.size.width, view_.size.height};
-    if (bounds_.isEmpty()) return {};
-    const auto whole = Eigen::Array2f(static_cast<float>(view_.size.width), static_cast<float>(view_.size.height));
-    const Eigen::Array2i low = (bounds_.min().array() - 1).floor().max(0).min(whole).cast<int>();
-    const Eigen::Array2i high = (bounds_.max().array() + 1).ceil().max(0).min(whole).cast<int>();
-    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
-  }
-
- private:
-  const ViewGeometry& view_;
-  Eigen::AlignedBox2f bounds_;
-  bool isWhole_ = false;
-};
 
 /// Radii of the ball around a body beyond which it hides no sky, see body_shadow.glsl: five of contacts' radii.
 constexpr float kReachOfContact = 5.0F * kContactRadius;
 
 }  // namespace
 
-PixelRect placeInPicture(const BodyScene& bodies, const ViewGeometry& view) {
-  Cover cover(view);
+std::vector<PixelRect> placesInPicture(const BodyScene& bodies, const ViewGeometry& view) {
+  std::vector<PixelRect> places;
   for (const BodyInstance& body : bodies.bodies()) {
     if (body.isGlass()) continue;
-    const Eigen::AlignedBox3f box = localBox(body);
-    for (int corner = 0; corner < 8; ++corner) {
-      cover.add(body.pose * box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)));
-    }
+    PictureCover cover(view);
+    cover.add(localBox(body), body.pose);
+    places.push_back(cover.pixels());
   }
-  return cover.pixels();
+  return disjoint(std::move(places));
 }
 
-PixelRect shadedFloor(const BodyScene& bodies, const v1::Scene& scene, const ViewGeometry& view) {
+std::vector<PixelRect> shadedFloor(const BodyScene& bodies, const v1::Scene& scene, const ViewGeometry& view) {
   const Eigen::Vector3f sun = sunDirection(scene.lighting().sun());
   const auto floor = static_cast<float>(scene.background().floor_height());
   // Shadows of a sun that is hardly above the horizon are longer than any floor that is seen.
   constexpr float kLeastRise = 0.05F;
-  if (sun.y() < kLeastRise && bodies.matteBounds().radius > 0) return {0, 0, view.size.width, view.size.height};
-  Cover cover(view);
-  const auto addSquare = [&](const Eigen::Vector3f& middle, float half) {
-    for (const float x : {-half, half}) {
-      for (const float z : {-half, half}) cover.add({middle.x() + x, floor, middle.z() + z});
-    }
-  };
+  if (sun.y() < kLeastRise && bodies.matteBounds().radius > 0) return {{0, 0, view.size.width, view.size.height}};
+  std::vector<PixelRect> places;
   for (const BodyInstance& body : bodies.bodies()) {
     if (body.isGlass()) continue;
+    PictureCover cover(view);
+    const auto addSquare = [&](const Eigen::Vector3f& middle, float half) {
+      for (const float x : {-half, half}) {
+        for (const float z : {-half, half}) cover.add({middle.x() + x, floor, middle.z() + z});
+      }
+    };
     const BodyScene::Ball ball = boundsOf(body);
     addSquare(ball.centre, kReachOfContact * ball.radius);
     addSquare(ball.centre - sun * ((ball.centre.y() - floor) / sun.y()), 1.1F * ball.radius / sun.y());
+    places.push_back(cover.pixels());
   }
-  return cover.pixels();
+  return disjoint(std::move(places));
 }
 
 BodyScene::Ball BodyScene::matteBounds() const {

@@ -7,20 +7,31 @@
 #include <vector>
 
 #include "body_mesh.h"
+#include "pixel_rects.h"
 #include "sluice/gl/objects.h"
 #include "view_geometry.h"
 
 namespace sluice::render {
 
-/// A mesh and its copy on the device.
-struct BodyModel {
-  BodyMesh mesh;
+/// Triangles on the device.
+struct BodyTriangles {
   gl::Buffer vertices;
   gl::Buffer indices;
   gl::VertexArray array;
+  GLsizei indexCount = 0;
 
-  explicit BodyModel(BodyMesh given);
-  void draw() const;
+  explicit BodyTriangles(const BodyMesh& mesh);
+};
+
+/// A mesh, and its copies on the device: one, or for spheres one for each of kFacetsAround.
+struct BodyModel {
+  BodyMesh mesh;  ///< The finest.
+  std::vector<BodyTriangles> levels;
+
+  explicit BodyModel(const v1::Body& body);
+
+  /// As finely as an outline of so many pixels' radius asks for.
+  void draw(float radiusInPixels) const;
 };
 
 struct BodyInstance {
@@ -64,32 +75,20 @@ inline constexpr float kContactRadius = 0.6F;
 /// The ball around a model's bounding box, in the scene.
 BodyScene::Ball boundsOf(const BodyInstance& body);
 
+/// The same, but no larger than the body where that is a sphere.
+BodyScene::Ball outlineOf(const BodyInstance& body);
+
+/// Radius in pixels of the ball's outline in a view; infinite where the eye is in the ball.
+float radiusInPicture(const BodyScene::Ball& ball, const ViewGeometry& view);
+
 /// Of the model's vertices, before it is posed.
 Eigen::AlignedBox3f localBox(const BodyInstance& body);
 
-/// Pixels of a picture, from its top left corner.
-struct PixelRect {
-  int left = 0, top = 0, width = 0, height = 0;
-
-  bool isEmpty() const { return width <= 0 || height <= 0; }
-};
-
 /// Where the bodies that are no glass show, and a pixel around: the whole picture where one reaches behind the eye.
-PixelRect placeInPicture(const BodyScene& bodies, const ViewGeometry& view);
+/// Disjoint.
+std::vector<PixelRect> placesInPicture(const BodyScene& bodies, const ViewGeometry& view);
 
 /// Where the floor shows that they keep light from, be it the sun's or the sky's, likewise.
-PixelRect shadedFloor(const BodyScene& bodies, const v1::Scene& scene, const ViewGeometry& view);
-
-/// Draws into these pixels alone, as long as it lives.
-class KeepTo {
- public:
-  explicit KeepTo(const PixelRect& rect) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(rect.left, rect.top, rect.width, rect.height);
-  }
-  ~KeepTo() { glDisable(GL_SCISSOR_TEST); }
-  KeepTo(const KeepTo&) = delete;
-  KeepTo& operator=(const KeepTo&) = delete;
-};
+std::vector<PixelRect> shadedFloor(const BodyScene& bodies, const v1::Scene& scene, const ViewGeometry& view);
 
 }  // namespace sluice::render

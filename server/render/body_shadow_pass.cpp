@@ -30,7 +30,7 @@ void BodyShadowPass::run(const FrameContext& frame, const BodyScene& bodies) {
   for (const BodyInstance& body : bodies.bodies()) {
     if (body.isGlass()) continue;
     glProgramUniformMatrix4fv(program_->name(), 0, 1, GL_FALSE, body.pose.matrix().data());
-    body.model->draw();
+    body.model->draw(kBodyShadowEdge * outlineOf(body).radius / bodies.matteBounds().radius);
   }
   glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
   glDisable(GL_DEPTH_TEST);

@@ -39,7 +39,7 @@ void CompositePass::run(const FrameContext& frame) {
   const Resource into = coarse ? Resource::Liquid : Resource::Picture;
   if (coarse) frame.targets.clear(into);
   beginTarget(frame, into);
-  keepToLiquid();
+  keepToLayer(frame.layer);
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   // Colours come multiplied by their coverage.
@@ -50,10 +50,9 @@ void CompositePass::run(const FrameContext& frame) {
   if (variant.reflection == Reflection::CubeMap) frame.cube.bind();
   if (variant.refraction != Refraction::None) bindTexture(frame, 2, Resource::Thickness);
   if (variant.refraction == Refraction::TwoInterfaces) bindTexture(frame, 3, Resource::BackSurface);
-  if (variant.layered) bindOtherSurfaces(frame, program->second);
   if (variant.noise) bindNoise(frame, program->second);
   glUseProgram(program->second.name());
-  drawPicture();
+  drawPicture({&frame.place, 1});
 }
 
 }  // namespace sluice::render

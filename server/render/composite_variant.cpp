@@ -31,7 +31,6 @@ std::vector<std::string_view> CompositeVariant::defines() const {
   if (lamps) names.emplace_back("LAMPS");
   if (bodies) names.emplace_back("BODIES");
   if (plain) names.emplace_back("PLAIN_BEHIND");
-  if (layered) names.emplace_back("LAYERED");
   if (noise) names.emplace_back("NOISE");
   if (whitening) names.emplace_back("WHITENING");
   return names;
@@ -91,7 +90,6 @@ CompositeVariant compositeVariant(const v1::Liquid& liquid, const v1::Scene& sce
   variant.lamps = !scene.lighting().point_lights().empty();
   variant.bodies = hasMatteBodies(scene);
   variant.plain = variant.refraction != Refraction::None && whyPlainBehind(scene, layered).has_value();
-  variant.layered = layered;
   return variant;
 }
 

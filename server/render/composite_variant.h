@@ -33,7 +33,6 @@ struct CompositeVariant {
   bool lamps = false;
   bool bodies = false;  ///< Some stand in the scene, so that not all that is seen beside the liquid is behind it.
   bool plain = false;   ///< Whatever is behind the liquid looks the same.
-  bool layered = false;
   bool noise = false;
   bool whitening = false;
 

@@ -15,7 +15,8 @@ void CubeMapPass::run(const FrameContext& frame, const BodyScene& bodies) {
   glViewport(0, 0, edge, edge);
   for (int face = 0; face < 6; ++face) {
     FrameUniforms uniforms = frame.uniforms;
-    aim(uniforms, cubeFace(frame.mirror.middle, face, edge));
+    const ViewGeometry view = cubeFace(frame.mirror.middle, face, edge);
+    aim(uniforms, view);
     uniforms_.upload(std::as_bytes(std::span(&uniforms, 1)));
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
     const GLuint framebuffer = frame.cube.framebufferOf(face);
@@ -23,7 +24,7 @@ void CubeMapPass::run(const FrameContext& frame, const BodyScene& bodies) {
     for (const GLint picture : {0, 1}) glClearNamedFramebufferfv(framebuffer, GL_COLOR, picture, kNothing.data());
     glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, kNothing.data());
     // Faces of a cube are seen mirrored, as from outside.
-    matte_.draw(bodies, GL_CCW);
+    matte_.draw(bodies, view, GL_CCW);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "frame_passes.h"
 #include "liquid_state.h"
 #include "liquid_uniforms.h"
+#include "picture_cover.h"
 #include "same.h"
 #include "sluice/core/check.h"
 #include "sluice/core/input_error.h"
@@ -34,6 +35,16 @@ v1::Scene withoutSource(const v1::Scene& scene) {
   *rest.mutable_view() = scene.view();
   if (scene.has_foam()) *rest.mutable_foam() = scene.foam();
   return rest;
+}
+
+/// Pixels that hold every splat, however it is stretched.
+PixelRect placeOf(const Eigen::AlignedBox3f& bounds, const SplatScale& scale, const ViewGeometry& view) {
+  if (bounds.isEmpty()) return {};
+  constexpr float kLargestInRadii = 4;
+  const auto reach = Eigen::Vector3f::Constant(kLargestInRadii * scale.radius);
+  PictureCover cover(view);
+  cover.add(Eigen::AlignedBox3f(bounds.min() - reach, bounds.max() + reach));
+  return cover.pixels();
 }
 
 }  // namespace
@@ -61,7 +72,7 @@ class FluidRenderer::Impl {
     clock_.lap("environment");
     noteParticles(particles);
     passes_.setBodies(scene, particles.bodies);
-    bodyRect_ = placeInPicture(passes_.bodies(), view);
+    bodyPlaces_ = placesInPicture(passes_.bodies(), view);
     shadedFloor_ = shadedFloor(passes_.bodies(), scene, view);
     std::vector<DataTraits> traits;
     for (std::size_t k = 0; k < liquids_.size(); ++k)
@@ -127,6 +138,7 @@ class FluidRenderer::Impl {
     setUpGl();
     if (liquids_.empty()) liquids_.push_back(std::make_unique<LiquidState>());
     aim(*liquids_[0], scene.look(), view, spacing);
+    liquids_[0]->place = {0, 0, surface.size.width, surface.size.height};
     uploadUniforms(plan, scene, view);
     std::ranges::copy(surface.values, targets_.startAnew({Resource::Surface}).begin());
     for (const PassStep& step : plan.steps) {
@@ -232,6 +244,8 @@ class FluidRenderer::Impl {
   DataTraits select(LiquidState& liquid, const v1::Look& look, const v1::Scene& scene, const ViewGeometry& view) {
     const core::ParticleSnapshot& particles = *liquid.particles;
     aim(liquid, look, view, particles.spacing);
+    if (newParticles_) liquid.bounds = core::boundsOf(particles.positions);
+    liquid.place = placeOf(liquid.bounds, liquid.scale, liquid.surfaceView);
     if (newParticles_ || !same(liquid.splatsOfModel, look.splats())) {
       liquid.model = makeSplatModel(particles, look.splats(), liquid.model);
       liquid.splatsOfModel = look.splats();
@@ -308,6 +322,8 @@ class FluidRenderer::Impl {
     for (std::size_t k = 0; k < liquids_.size(); ++k) {
       LiquidState& liquid = *liquids_[k];
       upload(liquid.surfaceUniforms, frameUniforms(liquid.surfaceView));
+      liquid.backView = divided(view, plan.surfaces[k].backDivisor);
+      if (plan.runs(Pass::BackSplats, k)) upload(liquid.backUniforms, frameUniforms(liquid.backView));
       upload(liquid.liquidUniforms, makeLiquidUniforms(liquid.surfaceView, liquid.thicknessView, liquid.scale,
                                                        plan.surfaces[k], liquid.mirror, lookOf(scene, k)));
     }
@@ -317,11 +333,12 @@ class FluidRenderer::Impl {
                          const ViewGeometry& view) {
     static const core::ParticleSnapshot kNoParticles;
     LiquidState& liquid = *liquids_[step.liquid];
+    const bool ofBack = step.pass == Pass::BackSplats || step.pass == Pass::BackSmoothing;
     return {plan,
             scene,
             view,
             pictureUniforms_.name(),
-            bodyRect_,
+            bodyPlaces_,
             shadedFloor_,
             uniforms_,
             raster_,
@@ -331,7 +348,7 @@ class FluidRenderer::Impl {
             step.layer,
             liquid.particles ? *liquid.particles : kNoParticles,
             lookOf(scene, step.liquid),
-            liquid.surfaceView,
+            ofBack ? liquid.backView : liquid.surfaceView,
             liquid.thicknessView,
             liquid.scale,
             liquid.model.shape,
@@ -340,7 +357,8 @@ class FluidRenderer::Impl {
             liquid.splats,
             liquid.mirror,
             liquid.cube,
-            liquid.surfaceUniforms.name(),
+            liquid.place,
+            ofBack ? liquid.backUniforms.name() : liquid.surfaceUniforms.name(),
             liquid.liquidUniforms.name(),
             liquid.marks.violence()};
   }
@@ -375,8 +393,8 @@ class FluidRenderer::Impl {
   SplatRaster raster_;
   std::vector<FoamDot> foam_;  ///< Of the frame at hand.
   gl::StreamBuffer pictureUniforms_;
-  PixelRect bodyRect_;
-  PixelRect shadedFloor_;
+  std::vector<PixelRect> bodyPlaces_;
+  std::vector<PixelRect> shadedFloor_;
   FrameUniforms uniforms_{};
   core::Plan plan_;
 

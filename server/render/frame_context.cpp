@@ -13,9 +13,11 @@ const gl::ShaderLibrary& shaders() {
   return library;
 }
 
-void beginTarget(const FrameContext& frame, Resource resource) {
+namespace {
+
+void begin(const FrameContext& frame, Resource resource, GLuint framebuffer) {
   const core::ImageSize size = frame.targets.size(resource);
-  glBindFramebuffer(GL_FRAMEBUFFER, frame.targets.framebuffer(resource));
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, size.width, size.height);
   const bool coarse = isAsFineAsSurface(resource);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, coarse ? frame.surfaceUniforms : frame.pictureUniforms);
@@ -24,6 +26,21 @@ void beginTarget(const FrameContext& frame, Resource resource) {
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_CLIP_DISTANCE0);
 }
+
+}  // namespace
+
+void beginTarget(const FrameContext& frame, Resource resource) {
+  begin(frame, resource, frame.targets.framebuffer(resource));
+}
+
+void beginStencil(const FrameContext& frame) {
+  begin(frame, Resource::Surface, frame.targets.stencilFramebuffer());
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glEnable(GL_STENCIL_TEST);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+}
+
+void endStencil() { glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); }
 
 void bindTexture(const FrameContext& frame, GLuint binding, Resource resource) {
   glBindTextureUnit(binding, frame.targets.texture(resource).name());
@@ -38,10 +55,22 @@ void copy(const FrameContext& frame, Resource from, Resource to) {
 
 void keepToLiquid() {
   glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_EQUAL, 1, 0xFF);
+  glStencilFunc(GL_EQUAL, kLiquidBit, kLiquidBit);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 
+void keepToLayer(int layer) {
+  keepToLiquid();
+  glStencilFunc(GL_EQUAL, stencilOf(layer), 0xFF);
+}
+
 void drawPicture() { glDrawArrays(GL_TRIANGLES, 0, 3); }
+
+void drawPicture(std::span<const PixelRect> places) {
+  for (const PixelRect& place : places) {
+    const KeepTo keepTo(place);
+    drawPicture();
+  }
+}
 
 }  // namespace sluice::render

@@ -21,11 +21,11 @@ namespace sluice::render {
 struct FrameContext {
   const FramePlan& plan;
   const v1::Scene& scene;
-  const ViewGeometry& view;       ///< Of the picture.
-  GLuint pictureUniforms;         ///< The frame's uniforms of passes that draw into the picture.
-  const PixelRect& bodyRect;      ///< Where bodies show in it, see placeInPicture.
-  const PixelRect& shadedFloor;   ///< Where the floor is in their shade, see shadedFloor().
-  const FrameUniforms& uniforms;  ///< The same.
+  const ViewGeometry& view;                ///< Of the picture.
+  GLuint pictureUniforms;                  ///< The frame's uniforms of passes that draw into the picture.
+  std::span<const PixelRect> bodyPlaces;   ///< Where bodies show in it, see placesInPicture.
+  std::span<const PixelRect> shadedFloor;  ///< Where the floor is in their shade, see shadedFloor().
+  const FrameUniforms& uniforms;           ///< The same.
   SplatRaster& raster;
   std::span<const FoamDot> foam;
   LiquidTargets targets;
@@ -35,7 +35,7 @@ struct FrameContext {
   std::uint8_t layer;  ///< See PassStep::layer.
   const core::ParticleSnapshot& particles;
   const v1::Look& look;
-  const ViewGeometry& surfaceView;    ///< Of the surface, which may be coarser.
+  const ViewGeometry& surfaceView;    ///< Of the surface, which may be coarser; of its back, in passes that draw that.
   const ViewGeometry& thicknessView;  ///< Of the thickness, likewise.
   const SplatScale& scale;
   SplatShape shape;
@@ -44,6 +44,7 @@ struct FrameContext {
   SplatBuffers& splats;
   const BodyMirror& mirror;
   BodyCube& cube;
+  const PixelRect& place;  ///< Of the surface, that holds all of the liquid.
   GLuint surfaceUniforms;  ///< The frame's uniforms of passes that draw into the surface, or the shaded liquid.
   GLuint liquidUniforms;
   std::span<const float> violence;  ///< Of each particle, or empty: see NoiseMarks.
@@ -57,16 +58,29 @@ const gl::ShaderLibrary& shaders();
 /// Draws into all of a target from now on, with its uniforms, and with blending, stencil, and clipping off.
 void beginTarget(const FrameContext& frame, Resource resource);
 
+/// The same for the stencil of the liquid's surface alone, until endStencil(). The surface is not written and may be
+/// read.
+void beginStencil(const FrameContext& frame);
+void endStencil();
+
 /// Lets shaders read a buffer at a binding of theirs.
 void bindTexture(const FrameContext& frame, GLuint binding, Resource resource);
 
 /// Copies one buffer into another of the same size and format.
 void copy(const FrameContext& frame, Resource from, Resource to);
 
-/// From now on draws only where there is liquid.
+/// The stencil where there is liquid, with so many other liquids behind it.
+constexpr GLint kLiquidBit = 1;
+constexpr GLint stencilOf(int layer) { return kLiquidBit | layer << 1; }
+
+/// From now on draws only where there is liquid,
 void keepToLiquid();
+/// or where just so many other liquids are behind it.
+void keepToLayer(int layer);
 
 /// Draws the triangle that covers the picture; its vertices come from picture.vert or background.vert.
 void drawPicture();
+/// The same in each of these places alone.
+void drawPicture(std::span<const PixelRect> places);
 
 }  // namespace sluice::render

@@ -55,6 +55,8 @@ void FramePasses::run(Pass pass, const FrameContext& frame) {
     case Pass::BeginPicture:
       if (isStudy(frame.scene.view())) return study_.begin(frame);
       return copy(frame, sceneOf(frame), Resource::Picture);
+    case Pass::Layers:
+      return mask_.runLayers(frame);
     case Pass::ExtendScene:
       return copy(frame, Resource::Picture, Resource::Scene);
     case Pass::Composite:

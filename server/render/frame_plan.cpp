@@ -50,6 +50,8 @@ std::string_view name(Pass pass) {
       return "cube map";
     case Pass::BeginPicture:
       return "begin picture";
+    case Pass::Layers:
+      return "layers";
     case Pass::ExtendScene:
       return "extend scene";
     case Pass::Composite:
@@ -108,6 +110,8 @@ std::string_view name(Resource resource) {
       return "surface scratch 4";
     case Resource::BackSurface:
       return "back surface";
+    case Resource::BackCoarse:
+      return "coarse back surface";
     case Resource::BackDepth:
       return "back depth";
     case Resource::Stencil:
@@ -141,8 +145,8 @@ std::string_view name(Resource resource) {
 }
 
 bool isSurface(Resource resource) {
-  return resource == Resource::Surface || resource == Resource::BackSurface || resource == Resource::BackDepth ||
-         std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
+  return resource == Resource::Surface || resource == Resource::BackSurface || resource == Resource::BackCoarse ||
+         resource == Resource::BackDepth || std::ranges::find(kSurfaceScratch, resource) != kSurfaceScratch.end();
 }
 
 bool isAsFineAsSurface(Resource resource) {

@@ -133,6 +133,10 @@ GLuint FrameTargets::framebuffer(BufferId id, std::uint8_t liquid) {
   return found.framebuffer(liquid);
 }
 
+GLuint FrameTargets::stencilFramebuffer(std::uint8_t liquid) {
+  return target({Resource::Surface, liquid}).framebuffer(liquid);
+}
+
 void FrameTargets::clear(BufferId id) {
   constexpr std::array<GLfloat, 4> kNothing{};
   Target& found = target(id);

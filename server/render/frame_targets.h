@@ -26,6 +26,8 @@ class FrameTargets {
   const gl::Texture& texture(BufferId id);
   /// To read or draw on the device, with the stencil of `liquid` where the target uses one.
   GLuint framebuffer(BufferId id, std::uint8_t liquid = 0);
+  /// To draw into a surface's stencil, and not into the surface.
+  GLuint stencilFramebuffer(std::uint8_t liquid);
   /// To draw into all of it on the device; 0 everywhere before.
   void clear(BufferId id);
 
@@ -74,6 +76,7 @@ class LiquidTargets {
   const gl::Texture& texture(Resource resource) const { return targets_->texture(id(resource)); }
   const gl::Texture& texture(BufferId id) const { return targets_->texture(id); }
   GLuint framebuffer(Resource resource) const { return targets_->framebuffer(id(resource), liquid_); }
+  GLuint stencilFramebuffer() const { return targets_->stencilFramebuffer(liquid_); }
   void clear(Resource resource) const { targets_->clear(id(resource)); }
   std::span<const float> read(Resource resource) const { return targets_->read(id(resource)); }
   std::span<const float> read(BufferId id) const { return targets_->read(id); }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "simd.h"
+#include "sluice/core/simd.h"
 
 namespace sluice::render {
 

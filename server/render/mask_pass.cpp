@@ -5,32 +5,43 @@ namespace sluice::render {
 MaskPass::MaskPass() : program_(shaders().program("picture.vert", "mask.frag")) {}
 
 void MaskPass::run(const FrameContext& frame) {
-  const GLuint surface = frame.targets.texture(Resource::Surface).name();
   frame.targets.clearStencil();
-  beginTarget(frame, Resource::Surface);
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_ALWAYS, 1, 0xFF);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  glBindTextureUnit(0, surface);
+  bindTexture(frame, 0, Resource::Surface);
+  beginStencil(frame);
+  glStencilFunc(GL_ALWAYS, stencilOf(0), 0xFF);
   glUseProgram(program_.name());
-  // The surface is read and, with its colour masked off, not written: no feedback.
-  drawPicture();
-  if (frame.targets.has(Resource::SceneDepth) && !frame.bodyRect.isEmpty()) takeOutHidden(frame);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  drawPicture({&frame.place, 1});
+  if (frame.targets.has(Resource::SceneDepth) && !frame.bodyPlaces.empty()) takeOutHidden(frame);
+  endStencil();
+}
+
+void MaskPass::runLayers(const FrameContext& frame) {
+  if (!layers_) layers_ = shaders().program("picture.vert", "mask.frag", std::array{std::string_view("LAYERED")});
+  bindTexture(frame, 0, Resource::Surface);
+  bindOtherSurfaces(frame, *layers_);
+  beginStencil(frame);
+  glUseProgram(layers_->name());
+  // Layer 0 is what the mask has written.
+  for (int layer = 1; layer < frame.plan.layers; ++layer) {
+    glProgramUniform1i(layers_->name(), 21, layer);
+    glStencilFunc(GL_EQUAL, stencilOf(layer), kLiquidBit);
+    drawPicture({&frame.place, 1});
+  }
+  endStencil();
 }
 
 void MaskPass::takeOutHidden(const FrameContext& frame) {
   if (!hidden_) hidden_ = shaders().program("picture.vert", "mask.frag", std::array{std::string_view("BODIES")});
   // The surface may be coarser than the picture.
   const int divisor = static_cast<int>(frame.look.smoothing().divisor());
-  const PixelRect& rect = frame.bodyRect;
-  const KeepTo keepTo(
-      PixelRect{rect.left / divisor, rect.top / divisor, rect.width / divisor + 2, rect.height / divisor + 2});
+  std::vector<PixelRect> places;
+  for (const PixelRect& rect : frame.bodyPlaces) {
+    places.push_back({rect.left / divisor, rect.top / divisor, rect.width / divisor + 2, rect.height / divisor + 2});
+  }
   bindTexture(frame, 7, Resource::SceneDepth);
   glStencilFunc(GL_ALWAYS, 0, 0xFF);
   glUseProgram(hidden_->name());
-  drawPicture();
+  drawPicture(places);
 }
 
 }  // namespace sluice::render

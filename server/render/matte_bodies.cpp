@@ -14,7 +14,7 @@ bool isClosed(const v1::Body& body) {
 
 }  // namespace
 
-void MatteBodies::draw(const BodyScene& bodies, GLenum outside) {
+void MatteBodies::draw(const BodyScene& bodies, const ViewGeometry& view, GLenum outside) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   glCullFace(GL_BACK);
@@ -30,7 +30,7 @@ void MatteBodies::draw(const BodyScene& bodies, GLenum outside) {
     glUseProgram(program);
     // Half of a closed surface is seen from within alone.
     if (isClosed(body.body)) glEnable(GL_CULL_FACE);
-    body.model->draw();
+    body.model->draw(radiusInPicture(outlineOf(body), view));
     glDisable(GL_CULL_FACE);
   }
   glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);

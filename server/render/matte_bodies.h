@@ -17,7 +17,7 @@ class MatteBodies {
   explicit MatteBodies(std::vector<std::string_view> defines = {}) : defines_(std::move(defines)) {}
 
   /// `outside` is how the outer sides of triangles turn in the picture: GL_CW where view space has y down.
-  void draw(const BodyScene& bodies, GLenum outside = GL_CW);
+  void draw(const BodyScene& bodies, const ViewGeometry& view, GLenum outside = GL_CW);
 
  private:
   const gl::Program& programOf(const BodyInstance& body);

@@ -29,6 +29,18 @@ PixelBounds boundsOf(const NoiseSprite& sprite, const ViewGeometry& target) {
           low(centre.y() - half - 0.5F, target.size.height), low(centre.y() + half + 0.5F, target.size.height)};
 }
 
+/// Depths of the surface in some pixels; those without liquid count for nothing.
+struct DepthRange {
+  float nearest = kNoLiquid;
+  float farthest = 0.0F;
+
+  void add(float z) { add(DepthRange{z, z}); }
+  void add(const DepthRange& other) {
+    nearest = std::min(nearest, other.nearest);
+    farthest = std::max(farthest, other.farthest);
+  }
+};
+
 /// What a thread keeps of the strip that it draws.
 struct Strip {
   explicit Strip(int width, bool withViolence)
@@ -37,36 +49,34 @@ struct Strip {
         height(stride * kStripRows),
         square(stride * kStripRows),
         violence(withViolence ? stride * kStripRows : 0),
-        nearest((static_cast<std::size_t>(width) + kPatchColumns - 1) / kPatchColumns),
-        farthest(nearest.size()) {}
+        patches((static_cast<std::size_t>(width) + kPatchColumns - 1) / kPatchColumns),
+        strip(patches),
+        rows(patches * kStripRows) {}
 
-  void begin(std::span<const float> surface, int width, int rows) {
+  void begin(std::span<const float> surface, int width, int rowCount) {
     std::ranges::fill(depths, kNoLiquid);
     std::ranges::fill(height, 0.0F);
     std::ranges::fill(square, 0.0F);
     std::ranges::fill(violence, 0.0F);
-    std::ranges::fill(nearest, kNoLiquid);
-    std::ranges::fill(farthest, 0.0F);
-    for (int y = 0; y < rows; ++y) {
+    std::ranges::fill(strip, DepthRange{});
+    std::ranges::fill(rows, DepthRange{});
+    for (int y = 0; y < rowCount; ++y) {
       const float* const q = surface.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
       float* const z = depths.data() + stride * static_cast<std::size_t>(y);
+      DepthRange* const ranges = rows.data() + patches * static_cast<std::size_t>(y);
       for (int x = 0; x < width; ++x) {
         if (q[x] <= 0.0F) continue;
         z[x] = 1.0F / q[x];
-        const auto patch = static_cast<std::size_t>(x / kPatchColumns);
-        nearest[patch] = std::min(nearest[patch], z[x]);
-        farthest[patch] = std::max(farthest[patch], z[x]);
+        ranges[x / kPatchColumns].add(z[x]);
       }
+      for (std::size_t p = 0; p < patches; ++p) strip[p].add(ranges[p]);
     }
   }
 
-  /// Whether a sprite at depth `z` is within `reach` of any surface in these columns.
-  bool mayMeet(const PixelBounds& box, float z, float reach) const {
-    for (int patch = box.left / kPatchColumns; patch <= (box.right - 1) / kPatchColumns; ++patch) {
-      const auto p = static_cast<std::size_t>(patch);
-      if (z - reach < farthest[p] && z + reach > nearest[p]) return true;
-    }
-    return false;
+  /// Whether a sprite at depth `z` is within `reach` of any surface in the columns [left, right), and in row y.
+  bool mayMeet(int left, int right, float z, float reach) const { return meets(strip.data(), left, right, z, reach); }
+  bool mayMeetInRow(int y, int left, int right, float z, float reach) const {
+    return meets(rows.data() + patches * static_cast<std::size_t>(y), left, right, z, reach);
   }
 
   NoiseRow row(int y, int x) {
@@ -76,11 +86,21 @@ struct Strip {
 
   std::size_t stride;
   std::vector<float> depths, height, square, violence;
-  std::vector<float> nearest, farthest;
+  std::size_t patches;
+  std::vector<DepthRange> strip;  ///< Of each patch of columns,
+  std::vector<DepthRange> rows;   ///< and of each in each row.
+
+ private:
+  static bool meets(const DepthRange* ranges, int left, int right, float z, float reach) {
+    for (int p = left / kPatchColumns; p <= (right - 1) / kPatchColumns; ++p) {
+      if (z - reach < ranges[p].farthest && z + reach > ranges[p].nearest) return true;
+    }
+    return false;
+  }
 };
 
 /// Draws the rows [top, bottom) of a sprite, each no longer than the disc is there.
-void drawSprite(const NoiseSprite& sprite, const PixelBounds& box, const ViewGeometry& target, float perFallOff,
+void drawSprite(const NoiseSprite& sprite, const PixelBounds& box, const ViewGeometry& target, float fallOff,
                 const std::vector<float>& columnSlopes, int top, int bottom, Strip& strip) {
   const float middle = target.toPixel(Eigen::Vector2f(sprite.x / sprite.z, 0)).x();
   const float perRow = sprite.z / sprite.radius;
@@ -91,9 +111,9 @@ void drawSprite(const NoiseSprite& sprite, const PixelBounds& box, const ViewGeo
     const float chord = half * std::sqrt(std::max(1.0F - beside * beside, 0.0F));
     const int left = std::max<int>(box.left, static_cast<int>(std::max(middle - chord - 0.5F, 0.0F)));
     const int right = std::min<int>(box.right, static_cast<int>(std::max(middle + chord + 1.5F, 0.0F)));
-    if (left >= right) continue;
+    if (left >= right || !strip.mayMeetInRow(y - top, left, right, sprite.z, kNoiseReach * fallOff)) continue;
     const std::size_t at = strip.stride * static_cast<std::size_t>(y - top) + static_cast<std::size_t>(left);
-    addNoiseRow(sprite, perFallOff, slopeY, columnSlopes.data() + left, strip.depths.data() + at,
+    addNoiseRow(sprite, 1.0F / fallOff, slopeY, columnSlopes.data() + left, strip.depths.data() + at,
                 strip.row(y - top, left), right - left);
   }
 }
@@ -127,8 +147,8 @@ void NoiseRaster::draw(std::span<const NoiseSprite> sprites, const ViewGeometry&
       strip.begin(surface.subspan(at), width, bottom - top);
       for (const std::uint32_t index : bins_.met(s)) {
         const NoiseSprite& sprite = sprites[index];
-        if (!strip.mayMeet(bounds_[index], sprite.z, reach)) continue;
-        drawSprite(sprite, bounds_[index], target, 1.0F / fallOff, columnSlopes_, top, bottom, strip);
+        if (!strip.mayMeet(bounds_[index].left, bounds_[index].right, sprite.z, reach)) continue;
+        drawSprite(sprite, bounds_[index], target, fallOff, columnSlopes_, top, bottom, strip);
       }
       for (int y = 0; y < bottom - top; ++y) {
         const std::size_t to = at + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);

@@ -28,7 +28,7 @@ class BackgroundPass {
   void run(const FrameContext& frame);
 
  private:
-  void drawFloor(bool bodies, bool lamps);
+  void useFloor(bool bodies, bool lamps);
 
   gl::Program sky_;
   std::map<std::pair<bool, bool>, gl::Program> floors_;  ///< By whether bodies shade it, and lamps light it.
@@ -86,6 +86,8 @@ class MaskPass {
  public:
   MaskPass();
   void run(const FrameContext& frame);
+  /// Of several liquids: writes how many others are behind each pixel.
+  void runLayers(const FrameContext& frame);
 
  private:
   /// Liquid behind bodies.
@@ -93,6 +95,7 @@ class MaskPass {
 
   gl::Program program_;
   std::optional<gl::Program> hidden_;
+  std::optional<gl::Program> layers_;
 };
 
 /// The farthest side of the liquid's splats.

@@ -15,8 +15,12 @@ void Planner::planComposites() {
     allocate(Resource::Scene, PixelFormat::Rgba16f, size_);
   } else {
     leaveOut(Pass::ExtendScene, "there is but one liquid in the picture");
+    leaveOut(Pass::Layers, "there is but one liquid in the picture");
   }
   beginPicture();
+  if (plan_.layers > 1) {
+    forEachLiquid([&] { run(Pass::Layers, {Resource::Surface, Resource::Stencil}, {Resource::Stencil}); });
+  }
   for (int layer = 0; layer < plan_.layers; ++layer) {
     if (layer > 0) {
       run(Pass::ExtendScene, {Resource::Picture}, {Resource::Scene});

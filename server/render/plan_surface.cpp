@@ -92,7 +92,8 @@ void Planner::planSmoothing() {
     allocate(scratch, PixelFormat::R32f, surfaceSize());
     writes.push_back(scratch);
   }
-  plan_.surfaces[liquid_] = {needs.flow, needs.flatRims};
+  plan_.surfaces[liquid_].flow = needs.flow;
+  plan_.surfaces[liquid_].flatRims = needs.flatRims;
   std::ranges::move(needs.leftOut, std::back_inserter(plan_.leftOut));
   run(Pass::Smoothing, smoothingName(smoothing.method_case()), reads, writes, needs.sweeps);
   if (!needs.mask || needs.erodes) planMask();

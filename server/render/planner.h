@@ -40,6 +40,8 @@ class Planner {
   void planThickness();
   // plan_back_surface.cpp
   void planBackSurface();
+  bool drawsCoarseBack() const;
+  std::vector<PassStep>::const_iterator smoothingStep() const;  ///< Of the liquid at hand, if it is smoothed.
   // plan_noise.cpp
   void planNoise();
   // plan_colour_map.cpp

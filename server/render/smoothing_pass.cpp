@@ -1,4 +1,5 @@
 #include "passes.h"
+#include "refine_surface.h"
 #include "sluice/core/check.h"
 
 namespace sluice::render {
@@ -19,9 +20,14 @@ void SmoothingPass::run(const FrameContext& frame) {
 }
 
 void SmoothingPass::runOnBack(const FrameContext& frame) {
+  const bool coarse = frame.plan.buffer(Resource::BackCoarse, frame.liquid) != nullptr;
   FrameContext back = frame;
-  back.targets = frame.targets.withSurface(Resource::BackSurface);
+  back.targets = frame.targets.withSurface(coarse ? Resource::BackCoarse : Resource::BackSurface);
   run(back);
+  if (!coarse) return;
+  const float edge = 3.0F * frame.scale.radius;
+  refineSurface(frame.targets.read(Resource::BackCoarse), frame.surfaceView.size, edge,
+                frame.targets.startAnew(Resource::BackSurface), frame.targets.size(Resource::BackSurface));
 }
 
 }  // namespace sluice::render

@@ -18,13 +18,12 @@ void SunlightPass::run(const FrameContext& frame, const KeptLightMap& light) {
     glUseProgram(onFloor_->name());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
-  if (frame.plan.buffer(Resource::SceneDepth) != nullptr && !frame.bodyRect.isEmpty()) {
-    const KeepTo keepTo(frame.bodyRect);
+  if (frame.plan.buffer(Resource::SceneDepth) != nullptr && !frame.bodyPlaces.empty()) {
     constexpr std::array<std::string_view, 1> kBodies{"BODIES"};
     if (!onBodies_) onBodies_ = shaders().program("picture.vert", "sunlight.frag", kBodies);
     bindTexture(frame, 7, Resource::SceneDepth);
     glUseProgram(onBodies_->name());
-    drawPicture();
+    drawPicture(frame.bodyPlaces);
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr float kFar = 1e18F;
 constexpr std::uint32_t kNoIndex = 0xFFFFFFFFU;
 // Pairs of a particle deep in a fluid, in groups, with some to spare: 30 neighbours and the rounding up to fours.
-constexpr std::size_t kUsualGroups = 9;
+constexpr std::size_t kUsualGroups = 8;
 
 /// The storage behind Candidates, kept from cell to cell.
 class CandidateBuffer {
@@ -100,7 +100,11 @@ void NeighbourLists::find(const CellGrid& grid, const std::vector<Float4>& posit
       // Particle by particle, because the room that all of a cell might need is a multiple of what they do need.
       const std::size_t room = candidates.count / 4 + 5;
       for (std::uint32_t i = first; i < last; ++i) {
-        if (used + room > groups.size()) groups.resize(groups.size() + groups.size() / 8 + room);
+        if (used + room > groups.size()) {
+          const std::size_t size = groups.size() + groups.size() / 16 + room;
+          groups.reserve(size);  // just that, where resize() alone would make room for twice as many
+          groups.resize(size);
+        }
         const PairGroup* end =
             loops_->findNeighbours(scale_, candidates, positions.data(), i, i + 1, groups.data() + used, sums());
         used = static_cast<std::size_t>(end - groups.data());

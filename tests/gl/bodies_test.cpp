@@ -95,8 +95,9 @@ TEST_F(Bodies, HoldTheLiquidBeforeThemThin) {
   EXPECT_TRUE(ran("clip thickness"));
   const render::FloatPicture surface = renderer.readBuffer(render::Resource::Surface);
   const float front = 1.0F / surface.values[static_cast<std::size_t>(size.height / 2 * size.width + size.width / 2)];
-  // The farthest of a pixel's samples counts: a pixel is 0.02 m wide here, where the ball falls back by 0.02²/2r.
-  EXPECT_LE(middle(), 3.05F - front + 2e-3F);
+  // The farthest of a pixel's samples counts: a pixel is 0.02 m wide here, where the ball falls back by 0.02²/2r. Besides,
+  // its facets are up to 0.01 r inside it.
+  EXPECT_LE(middle(), 3.05F - front + 4e-3F);
   EXPECT_GT(whole, 3.05F - front + 1e-2F);
 }
 

@@ -66,6 +66,8 @@ TEST_F(Optics, BackSurfaceIsTheSameWithGlAloneAndWithout) {
     for (const core::Camera& camera : {columnAndSheetCamera(), near}) {
       for (const double time : {0.0, 0.001}) {
         look.mutable_smoothing()->set_time(time);
+        // Of a surface as fine as the picture the CPU smooths a back of half the size.
+        look.mutable_smoothing()->set_divisor(time > 0 ? 2 : 1);
         render(particles, camera, size);
         onGpu.render(particles, scene, camera, size);
         const FloatPicture native = renderer.readBuffer(Resource::BackSurface);
@@ -82,6 +84,29 @@ TEST_F(Optics, BackSurfaceIsTheSameWithGlAloneAndWithout) {
       }
     }
   }
+}
+
+TEST_F(Optics, BackOfHalfTheSizeIsCloseToThatOfTheWhole) {
+  render::FluidRenderer onGpu(context(), render::DeviceTraits{.software = false});
+  useTwoInterfaces();
+  render(particles, columnAndSheetCamera(), size);
+  onGpu.render(particles, scene, columnAndSheetCamera(), size);
+  const FloatPicture front = renderer.readBuffer(Resource::Surface);
+  const FloatPicture refined = renderer.readBuffer(Resource::BackSurface);
+  const FloatPicture whole = onGpu.readBuffer(Resource::BackSurface);
+  ASSERT_EQ(refined.values.size(), whole.values.size());
+  std::size_t liquid = 0;
+  std::size_t missing = 0;
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < whole.values.size(); ++i) {
+    if (front.values[i] <= 0 || whole.values[i] <= 0) continue;
+    ++liquid;
+    missing += refined.values[i] > 0 ? 0 : 1;
+    off += std::abs(refined.values[i] - whole.values[i]) > 0.01F * whole.values[i] ? 1 : 0;
+  }
+  EXPECT_GT(liquid, whole.values.size() / 10);
+  EXPECT_LE(missing, liquid / 1000);
+  EXPECT_LE(off, liquid / 12) << "of so small a picture much is outline";
 }
 
 TEST_F(Optics, BackOfABallIsItsFarSide) {

@@ -53,7 +53,7 @@ const std::vector<Family> kFamilies{
     {"splats.vert", "back_splats.frag", kSplatShapes},
     {"large_splats.vert", "back_splats.frag", kLargeSplatShapes},
     {"picture.vert", "invert_depth.frag"},
-    {"picture.vert", "mask.frag", {{}}, {"BODIES"}},
+    {"picture.vert", "mask.frag", {{}, {"BODIES"}, {"LAYERED"}}},
     {"picture.vert", "smooth_thickness.frag"},
     {"picture.vert", "bilateral.frag"},
     {"picture.vert", "binomial.frag"},
@@ -195,8 +195,8 @@ TEST_F(ShaderVariants, OfEveryPassCompileAndLink) {
 TEST_F(ShaderVariants, OfTheCompositeCompileAndLink) {
   const std::set<CompositeVariant> variants = compositeVariants();
   // Clear: 3 refractions × 2 shadings; opaque: 2 × with emission or without; metal: 1; each with or without highlight,
-  // reflection and layers, and with no, plain or whitening noise.
-  EXPECT_GE(variants.size(), (6U + 4U + 1U) * 2U * 2U * 2U * 3U);
+  // reflection, and with no, plain or whitening noise.
+  EXPECT_GE(variants.size(), (6U + 4U + 1U) * 2U * 2U * 3U);
   for (const CompositeVariant& variant : variants) {
     EXPECT_NO_THROW(shaders().program("picture.vert", "composite.frag", variant.defines()))
         << ::testing::PrintToString(variant.defines());

@@ -288,6 +288,7 @@ TEST_F(FramePlanTest, EveryLiquidIsCompositedInEveryLayer) {
   const FramePlan p = plan();
   EXPECT_EQ(p.layers, 2);
   EXPECT_EQ(std::ranges::count(p.steps, Pass::Composite, &PassStep::pass), 4);
+  EXPECT_EQ(std::ranges::count(p.steps, Pass::Layers, &PassStep::pass), 2);
   EXPECT_EQ(std::ranges::count(p.steps, Pass::ExtendScene, &PassStep::pass), 1);
   EXPECT_NE(p.buffer(Resource::Surface, 1), nullptr);
   EXPECT_NE(p.buffer(Resource::Scene), nullptr);
@@ -311,6 +312,25 @@ TEST_F(FramePlanTest, BackSurfaceIsForTwoInterfacesOfClearLiquidAlone) {
   EXPECT_EQ(plan().buffer(Resource::BackSurface), nullptr);
   EXPECT_EQ(plan().buffer(Resource::Thickness), nullptr);
   EXPECT_THAT(plan().leftOut, names("refraction"));
+}
+
+TEST_F(FramePlanTest, TheCpuDrawsTheBackAtHalfTheSize) {
+  look.mutable_liquid()->mutable_two_interfaces();
+  ASSERT_NE(plan().buffer(Resource::BackCoarse), nullptr);
+  EXPECT_EQ(plan().buffer(Resource::BackCoarse)->size, (core::ImageSize{320, 240}));
+  EXPECT_EQ(plan().buffer(Resource::BackSurface)->size, (core::ImageSize{640, 480}));
+  EXPECT_EQ(plan().surfaces[0].backDivisor, 2U);
+  look.mutable_smoothing()->set_divisor(2);
+  EXPECT_EQ(plan().buffer(Resource::BackCoarse), nullptr) << "the surface is as coarse";
+  EXPECT_EQ(plan().surfaces[0].backDivisor, 2U);
+  look.mutable_smoothing()->set_divisor(1);
+  look.mutable_smoothing()->mutable_bilateral();
+  scene::complete(look);
+  EXPECT_EQ(plan().buffer(Resource::BackCoarse), nullptr) << "it is smoothed in buffers of the surface's size";
+  look.mutable_smoothing()->mutable_implicit_curvature_flow();
+  scene::complete(look);
+  look.mutable_smoothing()->set_time(0);
+  EXPECT_EQ(plan().buffer(Resource::BackCoarse), nullptr) << "it is not smoothed";
 }
 
 TEST_F(FramePlanTest, ThicknessDivisorShrinksItsBuffer) {

@@ -58,7 +58,8 @@ TEST(Assign, RefusesIndicesFartherOutAndElementsThatAreNotAllowed) {
   EXPECT_STREQ(assignError({"bodies[0]={}", "bodies[2]={}"}).what(),
                "bodies[2]: there is no element 2: bodies has 1 element; the only index is 0; index 1 would add one");
   EXPECT_EQ(assignError({"bodies[0].sphere.radius=-1"}).fieldPath(), "bodies[0].sphere.radius");
-  EXPECT_EQ(assignError({"simulation.fluids[1].viscosity=1"}).fieldPath(), "simulation.fluids[1].blocks");
+  EXPECT_EQ(assignError({"simulation.fluids[0].blocks[1].count_x=2"}).fieldPath(),
+            "simulation.fluids[0].blocks[1].first_particle");
   std::vector<std::string> tooMany;
   for (int i = 0; i < 8; ++i) tooMany.push_back("more_looks[" + std::to_string(i) + "]={}");
   EXPECT_EQ(assignError(tooMany).fieldPath(), "more_looks");

@@ -58,7 +58,7 @@ TEST(Complete, LeavesRequiredFieldsToTheScene) {
   v1::Scene scene;
   complete(scene);
   EXPECT_TRUE(scene.has_simulation());
-  EXPECT_FALSE(scene.simulation().has_container());
+  EXPECT_FALSE(scene.simulation().container().has_min());
 }
 
 TEST(Complete, IsIdempotent) {

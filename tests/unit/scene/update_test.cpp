@@ -108,7 +108,7 @@ TEST(Update, RefusesAnIndexThatOneSideLacks) {
 
 TEST(Update, RefusesToClearWhatIsRequired) {
   const auto error = inputError([] { applyUpdate(smallScene(), {}, maskOf({"simulation.container"})); });
-  EXPECT_EQ(error.fieldPath(), "simulation.container");
+  EXPECT_EQ(error.fieldPath(), "simulation.container.min");
 }
 
 }  // namespace

@@ -80,8 +80,8 @@ TEST(Validate, CountsTheElementsOfLists) {
 }
 
 TEST(Validate, AsksForWhatIsRequired) {
-  auto error = errorAfter([](v1::Scene& s) { s.mutable_simulation()->clear_container(); });
-  EXPECT_EQ(error.fieldPath(), "simulation.container");
+  auto error = errorAfter([](v1::Scene& s) { s.mutable_simulation()->mutable_container()->clear_min(); });
+  EXPECT_EQ(error.fieldPath(), "simulation.container.min");
   error = errorAfter([](v1::Scene& s) { s.mutable_particle_file(); });
   EXPECT_EQ(error.fieldPath(), "particle_file.path");
   error = errorAfter([](v1::Scene& s) { s.mutable_particle_file()->set_path(""); });

@@ -37,6 +37,7 @@ enum class Pass : std::uint8_t {
   CubeMap,
   GlassBehind,
   BeginPicture,
+  Layers,
   ExtendScene,
   Composite,
   BlendLiquid,
@@ -69,6 +70,7 @@ enum class Resource : std::uint8_t {
   SurfaceScratch3,
   SurfaceScratch4,
   BackSurface,  ///< Inverse eye depth of the liquid's farthest side; 0 where there is no liquid.
+  BackCoarse,   ///< The same at half the size, where the CPU draws and smooths it.
   BackDepth,    ///< The same as a depth, where a GPU draws it.
   Stencil,      ///< 1 where there is liquid.
   Thickness,    ///< Liquid along the line of sight, m.
@@ -206,6 +208,7 @@ struct PictureBuffer {
 struct SurfacePlan {
   FlowSchedule flow;
   bool flatRims = false;  ///< Splats' limbs do not fall far behind their fronts, see kRimDepth.
+  unsigned backDivisor = 1;  ///< The picture's size over that which the back surface is drawn in.
 };
 
 /// What one frame runs, needs, and leaves out. The renderer executes exactly `steps`.
