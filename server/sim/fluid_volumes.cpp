@@ -8,9 +8,9 @@
 
 #include <Eigen/Geometry>
 
-#include "body_shape.h"
 #include "sluice/core/input_error.h"
 #include "sluice/scene/convert.h"
+#include "sluice/solids/body_shape.h"
 
 namespace sluice::sim {
 
@@ -110,9 +110,9 @@ FluidVolume meshVolume(const v1::MeshVolume& settings, int fluid, const std::str
   body.mutable_mesh()->set_scale(settings.scale());
   *body.mutable_position() = settings.position();
   *body.mutable_rotation_degrees() = settings.rotation_degrees();
-  std::shared_ptr<const BodyShape> shape;
+  std::shared_ptr<const solids::BodyShape> shape;
   try {
-    shape = makeBodyShape(body, path);
+    shape = solids::makeBodyShape(body, path);
   } catch (const core::InputError& error) {
     throw core::InputError("", path + ".path", error.problem());
   }
