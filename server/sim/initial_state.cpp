@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sluice/core/input_error.h"
+#include "sluice/scene/convert.h"
 
 namespace sluice::sim {
 
@@ -33,8 +34,27 @@ constexpr char kAxes[] = "xyz";
 /// How far from a body's surface a particle has to start, in spacings: half of one, and what decimal fractions lack.
 constexpr double kStartingDistance = 0.495;
 
+/// Throws where a block does not keep its distance from the faces of a container that is no plain box. It is convex:
+/// where the block's corners are inside, all of it is.
+void checkInEnclosure(const v1::Block& block, const std::string& path, const Container& container, double spacing) {
+  const Eigen::Vector3d first = scene::toVector(block.first_particle()) -
+                                Eigen::Vector3d(container.origin[0], container.origin[1], container.origin[2]);
+  const Eigen::Vector3d extent(block.count_x() - 1.0, block.count_y() - 1.0, block.count_z() - 1.0);
+  const Eigen::AlignedBox3d box(first, first + spacing * extent);
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k));
+    const double distance = container.enclosure->distance(corner);
+    if (distance >= kClearance * spacing) continue;
+    std::ostringstream problem;
+    problem << "a corner of the block is " << distance << " m inside the container and its planes; particles must "
+            << "start one spacing inside, " << spacing << " m";
+    throw core::InputError("", path + ".first_particle", problem.str());
+  }
+}
+
 /// Throws where a block does not keep its distance from the container's faces.
 void checkInside(const v1::Block& block, const std::string& path, const Container& container, double spacing) {
+  if (container.enclosure) return checkInEnclosure(block, path, container, spacing);
   const Triple first = toTriple(block.first_particle());
   const auto counts = countsOf(block);
   for (std::size_t axis = 0; axis < 3; ++axis) {

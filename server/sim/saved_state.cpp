@@ -46,6 +46,7 @@ void FluidSimulation::save(core::StateWriter& out) const {
   // Not where the particles are but where they were when they were sorted: the position-based solver has moved them on.
   out.write(grid_.cellOfSorted());
   freeFlight_.save(out);
+  if (!movingBodies_.empty()) movingBodies_.save(out);
   out.write(time_);
   out.write(lastStepSeconds_);
   out.write(recoverySeconds_);
@@ -60,6 +61,7 @@ void FluidSimulation::resume(core::StateReader& in) {
   in.expect(kPart);
   readParticles(in);
   freeFlight_.resume(in);
+  if (!movingBodies_.empty()) movingBodies_.resume(in);
   in.read(time_);
   in.read(lastStepSeconds_);
   in.read(recoverySeconds_);
@@ -96,6 +98,7 @@ void FluidSimulation::rebuildPairs() {
   lists_.find(grid_, state_.position, team_);
   for (const Stage stage : planStep(settings_, {state_.size()}).stages) {
     if (stage == Stage::Boundary || stage == Stage::Factors) run(stage, last);
+    if (stage == Stage::Boundary) updateMovingBoundary(last);
   }
 }
 
