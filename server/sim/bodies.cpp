@@ -41,7 +41,8 @@ Bodies::Bodies(const List& bodies, const Container& container, const Discretisat
     if (bodies[k].has_mesh() && !body.shape().isClosed()) {
       notices_.push_back(name + " is a mesh with edges that do not have two faces: a thin wall without an inside");
     }
-    walls_.push_back({body, {discretisation.spacing, body.isSolid() ? layers : 1}, path, name});
+    walls_.push_back(
+        {body, {discretisation.spacing, 0, body.isSolid() ? layers : 1}, path, name, !feltAsMoving(bodies[k])});
   }
 }
 
@@ -53,7 +54,7 @@ double Bodies::expectedSamples(std::size_t body) const {
 std::vector<Bodies::Sample> Bodies::samples() const {
   std::vector<Sample> samples;
   for (const Wall& wall : walls_) {
-    if (!within_.intersects(wall.body.bounds())) continue;
+    if (!wall.stands || !within_.intersects(wall.body.bounds())) continue;
     wall.body.shape().sample(wall.sampling, [&](const Vector3d& own) {
       const Vector3d x = wall.body.pose() * own;
       if (!within_.contains(x)) return;
@@ -88,6 +89,7 @@ std::vector<BodySet> Bodies::nearCells(const CellGeometry& geometry) const {
   const double edge = 1 / static_cast<double>(geometry.inverseEdge);
   const double reach = reach_ + 0.5 * std::sqrt(3.0) * edge;
   for (std::size_t k = 0; k < walls_.size(); ++k) {
+    if (!walls_[k].stands) continue;
     const PlacedBody& body = walls_[k].body;
     std::array<std::uint32_t, 3> low{};
     std::array<std::uint32_t, 3> high{};

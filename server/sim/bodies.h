@@ -18,11 +18,15 @@
 
 namespace sluice::sim {
 
+/// Whether a body has to be looked at in every step: it moves, or the fluid rubs against it. See MovingBodies.
+bool feltAsMoving(const v1::Body& body);
+
 /// A set of bodies: bit k stands for the k-th that fluid flows around, of which there are at most 64.
 using BodySet = std::uint64_t;
 
-/// The scene's bodies that fluid flows around, as walls that stand still, in the coordinates of the container. A planar
-/// scene has none. Immutable; all functions are thread-safe.
+/// The scene's bodies that fluid flows around, where they start, in the coordinates of the container. Those that are
+/// felt as moving take room at the start, and are left to MovingBodies from then on. A planar scene has none.
+/// Immutable; all functions are thread-safe.
 class Bodies {
  public:
   using List = google::protobuf::RepeatedPtrField<v1::Body>;
@@ -44,7 +48,7 @@ class Bodies {
   /// About how many samples a body's whole surface has.
   double expectedSamples(std::size_t body) const;
 
-  /// The samples of all bodies, in order, without those that are out of reach of the container's inside.
+  /// The samples of all bodies that stand, in order, without those that are out of reach of the container's inside.
   std::vector<Sample> samples() const;
 
   /// The point of the given bodies' surfaces that is closest to `x`; one that is not nearer than `reach` need not be
@@ -54,7 +58,7 @@ class Bodies {
   /// The first body that has a point inside, or nearer to its surface than `distance`.
   std::optional<std::size_t> bodyAt(const Eigen::Vector3d& x, double distance) const;
 
-  /// The bodies that come within reach of each cell: what a particle in it may touch or feel within a step.
+  /// The bodies that stand within reach of each cell: what a particle in it may touch or feel within a step.
   std::vector<BodySet> nearCells(const CellGeometry& geometry) const;
 
   /// "bodies[2]", as the scene counts.
@@ -69,8 +73,9 @@ class Bodies {
   struct Wall {
     solids::PlacedBody body;
     solids::SurfaceSampling sampling;
-    std::string path;  ///< "bodies[2]".
-    std::string name;  ///< "bodies[2] (pillar)".
+    std::string path;    ///< "bodies[2]".
+    std::string name;    ///< "bodies[2] (pillar)".
+    bool stands = true;  ///< Is not felt as moving.
   };
 
   std::vector<Wall> walls_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "enclosure_samples.h"
 #include "lattice.h"
 
 namespace sluice::sim {
@@ -21,10 +22,55 @@ std::array<std::int64_t, 3> intervals(const Container& container, double spacing
   return n;
 }
 
-/// Points of the faces of an (nx+1)(ny+1)(nz+1) lattice that fills the box, and of layers - 1 shells around it.
-std::vector<Float4> samplePoints(const Container& container, double spacing, std::int64_t layers) {
+}  // namespace
+
+double wallCalibration(const Discretisation& discretisation, int layers) {
+  const int dimensions = discretisation.dimensions;
+  const double spacing = discretisation.spacing;
+  const double support = discretisation.support;
+  return withKernel(discretisation.kernel, [&]<class Kernel>(Kernel) {
+    const int reach = static_cast<int>(std::ceil(support / spacing)) + 1;
+    const auto planeSum = [&](double offsetX, double offsetY, double height) {
+      double sum = 0;
+      const int reachInY = dimensions == 2 ? 0 : reach;
+      for (int y = -reachInY; y <= reachInY; ++y) {
+        for (int x = -reach; x <= reach; ++x) {
+          const double dx = (x + offsetX) * spacing;
+          const double dy = (y + offsetY) * spacing;
+          sum += kernelValue<Kernel>(std::sqrt(dx * dx + dy * dy + height * height), support, dimensions);
+        }
+      }
+      return sum;
+    };
+    /// Σ_k W_bk of a particle of a layer over all layers.
+    const auto around = [&](int layer) {
+      double sum = 0;
+      for (int other = 0; other < layers; ++other) {
+        sum += planeSum(0, 0, static_cast<double>(layer - other) * spacing);
+      }
+      return sum;
+    };
+    constexpr int kOffsets = 8;
+    const int offsetsInY = dimensions == 2 ? 1 : kOffsets;
+    const double first = around(0);
+    double above = 0;
+    for (int layer = 0; layer < layers; ++layer) {
+      const double height = static_cast<double>(layer + 1) * spacing;
+      double mean = 0;
+      for (int a = 0; a < kOffsets; ++a) {
+        for (int b = 0; b < offsetsInY; ++b) {
+          mean += planeSum(a / double{kOffsets}, b / double{kOffsets}, height) / (kOffsets * offsetsInY);
+        }
+      }
+      above += mean * (first / around(layer));
+    }
+    return (1 - halfSpaceDensity(discretisation.kernel, spacing, support, dimensions)) * first / above;
+  });
+}
+
+std::vector<Float4> sampleBox(const Container& container, double spacing, int layers) {
   const std::array<std::int64_t, 3> n = intervals(container, spacing);
-  const std::int64_t shells = layers - 1;
+  const std::int64_t shells = std::int64_t{layers} - 1;
   const auto place = [&](std::size_t axis, std::int64_t step) {
     return static_cast<float>(container.size[axis] * static_cast<double>(step) / static_cast<double>(n[axis]));
   };
@@ -45,60 +91,14 @@ std::vector<Float4> samplePoints(const Container& container, double spacing, std
   return points;
 }
 
-/// γ: what the lowest layer of a lattice over a wall lacks, over what a wall of particles with γ = 1 would give it. The
-/// wall is a lattice of the same spacing, `layers` thick; the mean over where the fluid stands above it.
-double wallCalibration(const Discretisation& discretisation, std::int64_t layers) {
-  const int dimensions = discretisation.dimensions;
-  const double spacing = discretisation.spacing;
-  const double support = discretisation.support;
-  return withKernel(discretisation.kernel, [&]<class Kernel>(Kernel) {
-    const int reach = static_cast<int>(std::ceil(support / spacing)) + 1;
-    const auto planeSum = [&](double offsetX, double offsetY, double height) {
-      double sum = 0;
-      const int reachInY = dimensions == 2 ? 0 : reach;
-      for (int y = -reachInY; y <= reachInY; ++y) {
-        for (int x = -reach; x <= reach; ++x) {
-          const double dx = (x + offsetX) * spacing;
-          const double dy = (y + offsetY) * spacing;
-          sum += kernelValue<Kernel>(std::sqrt(dx * dx + dy * dy + height * height), support, dimensions);
-        }
-      }
-      return sum;
-    };
-    /// Σ_k W_bk of a particle of a layer over all layers.
-    const auto around = [&](std::int64_t layer) {
-      double sum = 0;
-      for (std::int64_t other = 0; other < layers; ++other) {
-        sum += planeSum(0, 0, static_cast<double>(layer - other) * spacing);
-      }
-      return sum;
-    };
-    constexpr int kOffsets = 8;
-    const int offsetsInY = dimensions == 2 ? 1 : kOffsets;
-    const double first = around(0);
-    double above = 0;
-    for (std::int64_t layer = 0; layer < layers; ++layer) {
-      const double height = static_cast<double>(layer + 1) * spacing;
-      double mean = 0;
-      for (int a = 0; a < kOffsets; ++a) {
-        for (int b = 0; b < offsetsInY; ++b) {
-          mean += planeSum(a / double{kOffsets}, b / double{kOffsets}, height) / (kOffsets * offsetsInY);
-        }
-      }
-      above += mean * (first / around(layer));
-    }
-    return (1 - halfSpaceDensity(discretisation.kernel, spacing, support, dimensions)) * first / above;
-  });
-}
-
-}  // namespace
-
 int boundaryLayers(const Discretisation& discretisation) {
   return std::max(1, static_cast<int>(std::ceil(discretisation.support / discretisation.spacing - 1e-6)) - 1);
 }
 
 double Boundary::expectedCount(const Container& container, const Discretisation& discretisation) {
-  const int shells = boundaryLayers(discretisation) - 1;
+  const int layers = boundaryLayers(discretisation);
+  if (container.enclosure) return expectedEnclosureSamples(*container.enclosure, discretisation.spacing, layers);
+  const int shells = layers - 1;
   double outer = 1;
   double inner = 1;
   const std::array<std::int64_t, 3> n = intervals(container, discretisation.spacing);
@@ -113,7 +113,9 @@ Boundary::Boundary(const Container& container, const Bodies& bodies, const Discr
                    const CellGeometry& geometry, const Team& team)
     : grid_(geometry) {
   const int layers = boundaryLayers(discretisation);
-  std::vector<Float4> points = samplePoints(container, discretisation.spacing, layers);
+  std::vector<Float4> points = container.enclosure
+                                   ? sampleEnclosure(container, discretisation.spacing, discretisation.support, layers)
+                                   : sampleBox(container, discretisation.spacing, layers);
   std::vector<double> calibrations(points.size(), wallCalibration(discretisation, layers));
   const double thinCalibration = layers == 1 ? calibrations.front() : wallCalibration(discretisation, 1);
   for (const Bodies::Sample& sample : bodies.samples()) {

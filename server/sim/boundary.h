@@ -15,6 +15,13 @@ namespace sluice::sim {
 /// above the face: with fewer, a wide kernel would feel too little of a wall to stay away from it.
 int boundaryLayers(const Discretisation& discretisation);
 
+/// γ: what the lowest layer of a lattice over a wall lacks, over what a wall of particles with γ = 1 would give it. The
+/// wall is a lattice of the same spacing, `layers` thick; the mean over where the fluid stands above it.
+double wallCalibration(const Discretisation& discretisation, int layers);
+
+/// Points of the faces of a lattice that fills the container's box, and of layers - 1 shells around it.
+std::vector<Float4> sampleBox(const Container& container, double spacing, int layers);
+
 /// Boundary particles on the container's inner faces and the bodies' surfaces, Akinci et al. 2012: each carries
 /// the pseudo-volume V_b = γ / Σ_k W_bk over the boundary particles around it, so that densely and sparsely sampled
 /// places count alike. γ makes up for there being few layers of them, one for

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "sluice/solids/enclosure.h"
 #include "sluice/v1/scene.pb.h"
 
 namespace sluice::sim {
@@ -14,19 +15,22 @@ inline constexpr double kClearance = 0.99;
 /// How far from a planar scene's plane a volume may be said to be, m: what decimal fractions are rounded by.
 inline constexpr double kPlaneTolerance = 1e-9;
 
-/// The container with its lower corner as the origin of the particles' coordinates.
+/// The container with the lower corner of the box around it as the origin of the particles' coordinates.
 struct Container {
   std::array<double, 3> origin{};  ///< m, in the scene's coordinates.
-  std::array<double, 3> size{};    ///< m.
+  std::array<double, 3> size{};    ///< Of the box, m.
   /// Of a planar scene: where along z its particles are, m above the lower corner. Its walls are those in x and y.
   std::optional<double> plane;
+
+  /// Its faces, about the same origin, where they are not those of the box alone.
+  std::optional<solids::Enclosure> enclosure = std::nullopt;
 
   /// Directions that have walls: the first two or all three.
   std::size_t walledAxes() const { return plane ? 2 : 3; }
 };
 
-/// Throws core::InputError where the box is empty or narrower than two spacings. The plane is that of the first block,
-/// ball or emitter.
+/// Throws core::InputError where the container is narrower than two spacings, planes leave no room in it, or a planar
+/// scene has another one than a box. The plane is that of the first block, ball or emitter.
 Container containerOf(const v1::Simulation& simulation);
 
 }  // namespace sluice::sim

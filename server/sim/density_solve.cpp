@@ -38,6 +38,7 @@ void solveDensity(JacobiSolve& solve, const DensitySolveSettings& settings, cons
   SolveGoal goal;
   goal.density = &step.lists.density();
   goal.seconds = step.seconds;
+  goal.bodies = step.coupling();
   goal.tolerance = settings.tolerance;
   goal.minIterations = 2;  // [BK17]: one iteration measures, but does not yet couple neighbours.
   goal.maxIterations = settings.maxIterations;

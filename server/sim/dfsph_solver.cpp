@@ -47,6 +47,7 @@ void DfsphSolver::run(Stage stage, StepContext& step) {
 void DfsphSolver::solveDivergence(StepContext& step) {
   SolveGoal goal;
   goal.seconds = step.seconds;
+  goal.bodies = step.coupling();
   goal.tolerance = settings_.divergence_error() / 100;
   goal.maxIterations = settings_.max_iterations();
   goal.relaxation *= step.discretisation.relaxationScale;

@@ -20,6 +20,9 @@ int threadCount(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+/// Of the longest steps: how fast particles that a body squeezes get their volume back.
+constexpr double kEasingSteps = 4;
+
 std::uint64_t bytesOf(const ParticleState& state) {
   std::uint64_t bytes = 0;
   const auto add = [&](const auto& values, const auto&) { bytes += values.size() * sizeof(values[0]); };
@@ -118,7 +121,12 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
           container_, bodies_, discretisation_,
           cellsOf(container_, discretisation_.support, checkedBoundaryCount(container_, bodies_, discretisation_)),
           team_),
-      walls_(container_, discretisation_.spacing, bodies_, boundary_.grid().geometry()),
+      movingBodies_(bodies, container_, discretisation_, boundaryLayers(discretisation_)),
+      movingBoundary_(movingBodies_, discretisation_, boundary_.grid().geometry(), boundaryLayers(discretisation_)),
+      bodyStep_{movingBodies_, movingBoundary_, contacts_,
+                BodyCoupling(movingBodies_, contacts_, mixture_, discretisation_.volume,
+                             kEasingSteps * settings.time_step().max_seconds())},
+      walls_(container_, discretisation_.spacing, bodies_, boundary_.grid().geometry(), movingBodies_),
       affordableParticles_(affordableParticles(options, discretisation_)),
       population_(settings, container_, bodies_, discretisation_),
       grid_(boundary_.grid().geometry()),
@@ -137,6 +145,7 @@ InitialState FluidSimulation::startAnew() {
   takenOut_ = initial.takenOut;
   population_.reset(newParticle(), state_.size());
   if (population_.hasEmitters()) state_.born.assign(state_.size(), 0);
+  movingBodies_.reset();
   solver_->reset(state_, container_);
   if (settings_.has_micropolar()) MicropolarModel::reset(state_);
   statistics_ = {};
@@ -161,6 +170,7 @@ InitialState FluidSimulation::startAnew() {
         stage == Stage::DensityError) {
       run(stage, start);
     }
+    if (stage == Stage::Boundary) updateMovingBoundary(start);
   }
   statistics_.maxSpeed = maxSpeed_;
   statistics_.stages.clear();
@@ -246,6 +256,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   });
   snapshot->bounds = core::boundsOf(snapshot->positions);
   snapshot->statistics = statistics_;
+  snapshot->bodies = movingBodies_.poses();
   return snapshot;
 }
 
@@ -290,6 +301,7 @@ core::Plan FluidSimulation::plan() const {
   add("cells", (grid_.starts().size() + 3 * particles) * sizeof(std::uint32_t));
   add("boundary", boundary_.size() * (sizeof(Float4) + sizeof(float)) +
                       (boundary_.grid().starts().size() + 3 * boundary_.size()) * sizeof(std::uint32_t));
+  if (!movingBodies_.empty()) add("moving boundary", movingBoundary_.bytes() + contacts_.bytes());
   if (!bodies_.empty()) add("bodies near cells", walls_.bytes());
   return plan;
 }

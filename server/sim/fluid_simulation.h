@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bodies.h"
+#include "body_contacts.h"
 #include "boundary.h"
 #include "cell_grid.h"
 #include "container.h"
@@ -14,6 +15,8 @@
 #include "initial_state.h"
 #include "micropolar.h"
 #include "mixture.h"
+#include "moving_bodies.h"
+#include "moving_boundary.h"
 #include "neighbour_lists.h"
 #include "particles.h"
 #include "population.h"
@@ -47,7 +50,7 @@ class FluidSimulation : public core::ParticleSource {
   explicit FluidSimulation(const v1::Simulation& settings, const SimulationOptions& options = {})
       : FluidSimulation(settings, {}, options) {}
 
-  /// With the scene's bodies as walls. They stay as they are: `update` leaves them alone.
+  /// With the scene's bodies, which fluid flows around and floats. `update` leaves them alone.
   FluidSimulation(const v1::Simulation& settings, const Bodies::List& bodies, const SimulationOptions& options = {});
 
   bool advance() override;
@@ -70,6 +73,7 @@ class FluidSimulation : public core::ParticleSource {
   const Boundary& boundary() const { return boundary_; }
   const Bodies& bodies() const { return bodies_; }
   const Population& population() const { return population_; }
+  const MovingBodies& movingBodies() const { return movingBodies_; }
   /// The fluids; the state's impulses times mixture().heaviest() over the step's length are pressures.
   const Mixture& mixture() const { return mixture_; }
   core::StepStatistics statistics() const override { return statistics_; }
@@ -101,6 +105,7 @@ class FluidSimulation : public core::ParticleSource {
   void readParticles(core::StateReader& in);
   void rebuildPairs();
   void findBoundaryInReach();
+  void updateMovingBoundary(StepContext& step);
 
   v1::Simulation settings_;
   SimulationOptions options_;
@@ -110,6 +115,11 @@ class FluidSimulation : public core::ParticleSource {
   Discretisation discretisation_;
   Bodies bodies_;
   Boundary boundary_;
+  MovingBodies movingBodies_;
+  MovingBoundary movingBoundary_;
+  BodyContacts contacts_;
+  BodyStep bodyStep_;
+  MovingBodies::State bodiesBefore_;  ///< At the step's beginning.
   Walls walls_;
   std::uint64_t affordableParticles_;  ///< That there is memory for.
   Population population_;
@@ -141,6 +151,7 @@ class FluidSimulation : public core::ParticleSource {
   double maxSpeed_ = 0;
   double pressureAcceleration_ = 0;  ///< Of explicit pressure forces in the last step, m/s².
   bool boundaryInReach_ = true;
+  bool bodiesInReach_ = false;
   std::uint64_t wallContacts_ = 0;
   std::string halted_;
   std::vector<std::uint64_t> takenOut_;  ///< Of each body: particles that it leaves no room for at the start.

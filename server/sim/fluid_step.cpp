@@ -16,10 +16,29 @@ namespace {
 // After a step had to be taken back, its length grows again by this factor a step.
 constexpr double kRecoveryGrowth = 1.25;
 
+/// Whether a particle is nearer to a face of the container than `reach`.
+bool nearFaces(const Container& container, const Float4& x, double reach) {
+  if (container.enclosure) return container.enclosure->distance({x.x, x.y, x.z}) < reach;
+  const auto near = [&](double position, double size) { return position < reach || position > size - reach; };
+  const auto& size = container.size;
+  return near(x.x, size[0]) || near(x.y, size[1]) || (!container.plane && near(x.z, size[2]));
+}
+
 struct Count {
   std::uint64_t value = 0;
   Count& operator+=(const Count& other) {
     value += other.value;
+    return *this;
+  }
+};
+
+/// What the move holds back.
+struct Held {
+  Count particles;
+  BodySums momenta;
+  Held& operator+=(const Held& other) {
+    particles += other.particles;
+    momenta += other.momenta;
     return *this;
   }
 };
@@ -50,7 +69,7 @@ TimeStepInputs FluidSimulation::timeStepInputs() const {
   const double tension = settings_.has_surface_tension() ? settings_.surface_tension().tension() : 0;
   return {.spacing = discretisation_.spacing,
           .support = discretisation_.support,
-          .maxSpeed = maxSpeed_,
+          .maxSpeed = std::max(maxSpeed_, movingBodies_.largestSpeed(time_, settings_.time_step().max_seconds())),
           .acceleration = std::max(norm(settings_.gravity()), pressureAcceleration_),
           .viscosity = mixture_.largestViscosity(),
           .kinematicTension = tension / mixture_.lightest(),
@@ -65,8 +84,11 @@ StepTraits FluidSimulation::traits() const {
   return {.particles = state_.size(),
           .boundaryInReach = boundaryInReach_,
           // Particles that come or go change the pairs.
-          .freeFlight =
-              !boundaryInReach_ && !population_.changes() && freeFlight_.covers(state_.velocity, length.seconds, team_),
+          .freeFlight = !boundaryInReach_ && !bodiesInReach_ && !population_.changes() &&
+                        freeFlight_.covers(state_.velocity, length.seconds, team_),
+          .bodiesMove = movingBodies_.anyMoves(),
+          .bodiesRub = movingBodies_.anyRubs(),
+          .bodiesInReach = bodiesInReach_,
           .implicitViscosity = length.implicitViscosity,
           .emitting = population_.emitting(time_)};
 }
@@ -80,9 +102,12 @@ StepPlan FluidSimulation::currentPlan() const {
   busy.mutable_fluids(0)->set_viscosity(1);
   if (busy.has_surface_tension()) busy.mutable_surface_tension()->set_tension(1);
   if (busy.has_micropolar()) busy.mutable_micropolar()->set_transfer(1);
-  return planStep(
-      busy,
-      {.particles = present.particles, .implicitViscosity = present.implicitViscosity, .emitting = present.emitting});
+  return planStep(busy, {.particles = present.particles,
+                         .bodiesMove = present.bodiesMove,
+                         .bodiesRub = present.bodiesRub,
+                         .bodiesInReach = present.bodiesInReach,
+                         .implicitViscosity = present.implicitViscosity,
+                         .emitting = present.emitting});
 }
 
 bool FluidSimulation::advance() {
@@ -105,6 +130,8 @@ StepContext FluidSimulation::beginStep() {
   findBoundaryInReach();
   length_ = chooseTimeStep(settings_.time_step(), timeStepInputs());
   shortenToStop();
+  bodiesBefore_ = movingBodies_.state();
+  movingBodies_.drive(time_, stepSeconds_);
   return {.discretisation = discretisation_,
           .container = container_,
           .boundary = boundary_,
@@ -115,10 +142,12 @@ StepContext FluidSimulation::beginStep() {
           .lists = lists_,
           .state = state_,
           .statistics = statistics_,
+          .bodies = movingBodies_.empty() ? nullptr : &bodyStep_,
           .seconds = stepSeconds_,
           .lastSeconds = lastStepSeconds_,
           .maxCompression = settings_.time_step().max_compression() / 100,
           .boundaryInReach = boundaryInReach_,
+          .bodiesInReach = bodiesInReach_,
           .trouble = {}};
 }
 
@@ -148,6 +177,7 @@ bool FluidSimulation::tryStep() {
     return false;
   }
   if (!plan.contains(Stage::Neighbours)) freeFlight_.advance(state_.velocity, step.seconds, team_);
+  if (!plan.contains(Stage::MovingBoundary)) contacts_.clear();
   finish(step);
   return true;
 }
@@ -179,8 +209,13 @@ void FluidSimulation::run(Stage stage, StepContext& step) {
       return implicitViscosity_.apply(settings_.has_implicit_viscosity() ? settings_.implicit_viscosity()
                                                                          : settings_.automatic_viscosity().implicit(),
                                       step);
+    case Stage::BodyFriction:
+      return contacts_.rub(movingBodies_, mixture_, discretisation_.volume, step.seconds, state_.fluid, state_.velocity,
+                           team_);
     case Stage::Gravity:
       return applyGravity(step);
+    case Stage::RigidBodies:
+      return movingBodies_.advance(time_, step.seconds);
     case Stage::Move:
       return move(step);
     case Stage::Drains:
@@ -193,6 +228,8 @@ void FluidSimulation::run(Stage stage, StepContext& step) {
       return findNeighbours();
     case Stage::Boundary:
       return lists_.addBoundary(boundary_, grid_, state_.position, team_);
+    case Stage::MovingBoundary:
+      return updateMovingBoundary(step);
     case Stage::DensityError:
       return measureCompression();
     case Stage::DivergenceSolve:
@@ -214,6 +251,8 @@ void FluidSimulation::acceptLength(StepContext& step) const {
 
 void FluidSimulation::applyGravity(const StepContext& step) {
   const auto change = [&](double g) { return static_cast<float>(g * step.seconds); };
+  movingBodies_.accelerate(step.seconds *
+                           Eigen::Vector3d(settings_.gravity().x(), settings_.gravity().y(), settings_.gravity().z()));
   const Float4 dv{change(settings_.gravity().x()), change(settings_.gravity().y()), change(settings_.gravity().z()), 0};
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
@@ -223,21 +262,32 @@ void FluidSimulation::applyGravity(const StepContext& step) {
   });
 }
 
+void FluidSimulation::updateMovingBoundary(StepContext& step) {
+  if (step.bodies == nullptr) return;
+  movingBoundary_.update(movingBodies_, boundary_, team_);
+  step.findContacts();
+}
+
 void FluidSimulation::move(StepContext& step) {
   step.maxSpeed = checkedMaxSpeed(step);
   if (!step.trouble.empty()) return;
   const auto seconds = static_cast<float>(step.seconds);
-  const auto held = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
-    Count part;
+  const auto held = team_.sumOverChunks<Held>(state_.size(), [&](const Chunk& chunk) {
+    Held part;
+    BodyPush push;
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+      if (step.bodies != nullptr) push.particleMass = discretisation_.volume * mixture_.restDensityOf(state_.fluid, i);
       Float4& x = state_.position[i];
       Float4& v = state_.velocity[i];
       const Float4 to{x.x + seconds * v.x, x.y + seconds * v.y, x.z + seconds * v.z, 0};
-      part.value += walls_.move(x, v, to) ? 1 : 0;
+      part.particles.value += walls_.move(x, v, to, push) ? 1 : 0;
     }
+    part.momenta = std::move(push.momenta);
     return part;
   });
-  wallContacts_ += held.value;
+  wallContacts_ += held.particles.value;
+  movingBodies_.push(held.momenta);
+  movingBodies_.settle();
 }
 
 void FluidSimulation::emit(StepContext& step) {
@@ -269,12 +319,16 @@ void FluidSimulation::findNeighbours() {
 }
 
 void FluidSimulation::takeBack() {
+  if (!movingBodies_.empty()) movingBodies_.restore(bodiesBefore_);
   if (sortedInStep_) {
     state_ = beginning_;
     population_.takeBack(populationBefore_);
     sort();
     lists_.find(grid_, state_.position, team_);
     lists_.addBoundary(boundary_, grid_, state_.position, team_);
+    if (movingBodies_.empty()) return;
+    movingBoundary_.update(movingBodies_, boundary_, team_);
+    contacts_.find(movingBoundary_, movingBodies_, grid_, state_.position, lists_, team_);
     return;
   }
   // The step failed before it moved anything: positions, pairs and densities still are those of the last good state.
@@ -303,16 +357,25 @@ void FluidSimulation::findBoundaryInReach() {
     Count part;
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
       const Float4& x = state_.position[i];
-      const auto nearFace = [&](double position, double size) { return position < reach || position > size - reach; };
-      const auto& size = container_.size;
-      const bool nearInZ = !container_.plane && nearFace(x.z, size[2]);
-      const bool nearContainer = nearFace(x.x, size[0]) || nearFace(x.y, size[1]) || nearInZ;
+      const bool nearContainer = nearFaces(container_, x, reach);
       part.value += nearContainer || walls_.nearBodies(x) != 0 ? 1 : 0;
     }
     return part;
   });
   // New particles may come near a wall in the step in which they come.
   boundaryInReach_ = near.value > 0 || population_.emitting(time_);
+  if (movingBodies_.empty()) return;
+  // Bodies come towards particles as far as these towards them.
+  const double bodyReach = reach + kLargestMove * discretisation_.spacing;
+  const auto nearMoving = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
+    Count part;
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+      const Float4& x = state_.position[i];
+      part.value += movingBodies_.near({x.x, x.y, x.z}, bodyReach) ? 1 : 0;
+    }
+    return part;
+  });
+  bodiesInReach_ = nearMoving.value > 0;
 }
 
 }  // namespace sluice::sim

@@ -93,8 +93,10 @@ FluidVolume ballVolume(const v1::Ball& ball, int fluid, const std::string& path,
   const AlignedBox3d bounds(Vector3d(centre.array() - ball.radius()), Vector3d(centre.array() + ball.radius()));
   layLattice(volume, bounds, container, spacing);
   const double radii = ball.radius() / spacing;
-  volume.expected =
+  const double ofBall =
       container.plane ? std::numbers::pi * radii * radii : 4 * std::numbers::pi / 3 * radii * radii * radii;
+  // What reaches out of the container is refused for that, however large it is.
+  volume.expected = std::min(ofBall, double{1} * volume.counts[0] * volume.counts[1] * volume.counts[2]);
   // Points on the surface are outside: otherwise rounding would say on which side of it they are.
   const double reach = ball.radius() - kRounding * spacing;
   volume.contains = [centre, reach](const Vector3d& x) { return (x - centre).squaredNorm() < reach * reach; };
@@ -133,8 +135,20 @@ FluidVolume meshVolume(const v1::MeshVolume& settings, int fluid, const std::str
   return volume;
 }
 
+/// The same for the faces of a container that is no plain box.
+void checkInEnclosure(const FluidVolume& volume, const Vector3d& x, const solids::Enclosure& enclosure,
+                      double spacing) {
+  const double distance = enclosure.distance(x);
+  if (distance >= kClearance * spacing) return;
+  std::ostringstream problem;
+  problem << "the " << volume.noun << " has a particle " << distance << " m inside the container and its planes; "
+          << "particles must start one spacing inside, " << spacing << " m";
+  throw core::InputError("", volume.place, problem.str());
+}
+
 /// Throws where a particle of a volume is too near to the container's faces.
 void checkInside(const FluidVolume& volume, const Vector3d& x, const Container& container, double spacing) {
+  if (container.enclosure) return checkInEnclosure(volume, x, *container.enclosure, spacing);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double at = x[static_cast<Eigen::Index>(axis)];
     if (at >= kClearance * spacing && at <= container.size[axis] - kClearance * spacing) continue;

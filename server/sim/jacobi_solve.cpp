@@ -1,13 +1,18 @@
 #include "jacobi_solve.h"
 
+#include "body_contacts.h"
+
 namespace sluice::sim {
 
 SolveOutcome JacobiSolve::run(const SolveGoal& goal, const NeighbourLists& lists, const Mobility& mobility,
-                              const std::vector<float>& factor, std::vector<Float4>& velocity,
+                              const std::vector<float>& ownFactor, std::vector<Float4>& velocity,
                               std::vector<float>& impulse, const Team& team) {
   const std::size_t particles = velocity.size();
   const PairLoops& loops = lists.loops();
+  if (goal.bodies != nullptr) goal.bodies->begin(ownFactor, goal.density, goal.seconds, team);
+  const std::vector<float>& factor = goal.bodies != nullptr ? goal.bodies->factor() : ownFactor;
   const float* density = goal.density != nullptr ? goal.density->data() : nullptr;
+  if (goal.bodies != nullptr) density = goal.bodies->density().data();
   impulse4_.resize(particles);
   result_.resize(particles);
 
@@ -25,6 +30,7 @@ SolveOutcome JacobiSolve::run(const SolveGoal& goal, const NeighbourLists& lists
       loops.applyImpulses(lists.chunk(chunk), mobility, impulse4_.data(), lists.gradientSum().data(), velocity.data(),
                           result_.data());
     });
+    if (goal.bodies != nullptr) goal.bodies->respond(impulse4_, team);
     const auto error = team.sumOverChunks<SolveError>(particles, [&](const Chunk& chunk) {
       return loops.relaxImpulses(lists.chunk(chunk), result_.data(), lists.gradientSum().data(), factor.data(), density,
                                  static_cast<float>(goal.seconds), static_cast<float>(goal.relaxation),

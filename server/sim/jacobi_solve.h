@@ -9,6 +9,8 @@
 
 namespace sluice::sim {
 
+class BodyCoupling;
+
 /// What a solve has to reach.
 struct SolveGoal {
   /// ρ̃ of every particle for the density solve (nothing may be compressed after `seconds`); null for the divergence
@@ -19,7 +21,8 @@ struct SolveGoal {
   double tolerance = 0;
   std::uint32_t minIterations = 1;
   std::uint32_t maxIterations = 100;
-  double relaxation = 0.5;  ///< ω. Plain Jacobi (1) diverges on dense clusters, Bender & Koschier take 1/2.
+  BodyCoupling* bodies = nullptr;  ///< Moving bodies that answer to the impulses; null where there are none near.
+  double relaxation = 0.5;         ///< ω. Plain Jacobi (1) diverges on dense clusters, Bender & Koschier take 1/2.
 };
 
 struct SolveOutcome {
@@ -37,8 +40,9 @@ struct SolveOutcome {
 /// work, where a mirrored κ_i was seen to add energy at impacts) with bound (1 - ρ̃_i)/dt in a density solve and 0 in a
 /// divergence solve; w_i is the particle's mobility (see Mixture). In terms of the masses m ∝ 1/w, u is the nearest to
 /// v in Σ m |u - v|² that meets the bounds: the system is D M⁻¹ Dᵀ, with the diagonal 1/α_i = w_i |Σ_j V_j ∇W_ij + Σ_b
-/// V_b ∇W_ib|² + Σ_j w_j |V_j ∇W_ij|². The velocities handed back are those whose error was measured, not an iterate
-/// later.
+/// V_b ∇W_ib|² + Σ_j w_j |V_j ∇W_ij|². Floating bodies are unknowns like the particles: each iteration gives them the
+/// twists that its impulses leave them with (see BodyCoupling), so that a light body is as stable as a heavy one. The
+/// velocities handed back are those whose error was measured, not an iterate later.
 class JacobiSolve {
  public:
   /// `velocity` and `impulse` (the start of the iteration, m²/s) are replaced by the result. Particles whose `factor`

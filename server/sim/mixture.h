@@ -24,9 +24,13 @@ class Mixture {
   bool several() const { return restDensities_.size() > 1; }
 
   const std::vector<double>& restDensities() const { return restDensities_; }  ///< kg/m³.
-  double heaviest() const;                                                     ///< ρ_max, kg/m³.
-  double lightest() const;                                                     ///< kg/m³.
-  double densityRatio() const;                                                 ///< Heaviest over lightest.
+  /// Of the i-th particle, kg/m³.
+  double restDensityOf(const std::vector<std::uint8_t>& fluid, std::size_t i) const {
+    return restDensities_[fluid.empty() ? 0 : fluid[i]];
+  }
+  double heaviest() const;      ///< ρ_max, kg/m³.
+  double lightest() const;      ///< kg/m³.
+  double densityRatio() const;  ///< Heaviest over lightest.
 
   /// w of particles of the given fluids; of none where all fluids weigh the same.
   Mobility mobility(const std::vector<std::uint8_t>& fluid) const;

@@ -25,6 +25,14 @@ class NeighbourLists {
   void addBoundary(const Boundary& boundary, const CellGrid& grid, const std::vector<Float4>& positions,
                    const Team& team);
 
+  /// Adds to what has been summed up of one particle; thread-safe for different ones.
+  void addToSums(std::size_t i, float density, const Float4& gradient, std::uint16_t neighbours) {
+    density_[i] += density;
+    Float4& sum = gradientSum_[i];
+    sum = {sum.x + gradient.x, sum.y + gradient.y, sum.z + gradient.z, 0};
+    neighbours_[i] = static_cast<std::uint16_t>(neighbours_[i] + neighbours);
+  }
+
   PairList chunk(const Chunk& chunk) const {
     return {groups_[chunk.index].data(), groupCount_.data(), static_cast<std::uint32_t>(chunk.first),
             static_cast<std::uint32_t>(chunk.last), scale_.quantum};

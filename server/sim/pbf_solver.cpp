@@ -21,6 +21,7 @@ void PbfSolver::run(Stage stage, StepContext& step) {
     // brings into reach from beyond the next cell weighs nothing yet.
     step.lists.find(step.grid, step.state.position, step.team);
     if (step.boundaryInReach) step.lists.addBoundary(step.boundary, step.grid, step.state.position, step.team);
+    step.findContacts();
   }
   step.statistics.densityIterations = settings_.iterations();
   const float densest = *std::ranges::max_element(step.lists.density());
@@ -54,16 +55,25 @@ void PbfSolver::correct(StepContext& step) {
     lists.loops().applyImpulses(lists.chunk(chunk), mobility, impulse4_.data(), lists.gradientSum().data(),
                                 state.velocity.data(), corrected_.data());
   });
-  step.team.forEachChunk(state.size(), [&](const Chunk& chunk) {
+  if (BodyCoupling* bodies = step.coupling()) bodies->push(impulse4_, 1, step.team);
+  const auto massOf = [&](std::size_t i) {
+    return step.discretisation.volume * step.mixture.restDensityOf(state.fluid, i);
+  };
+  const auto pushed = step.team.sumOverChunks<BodySums>(state.size(), [&](const Chunk& chunk) {
+    BodyPush push;
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+      if (step.bodies != nullptr) push.particleMass = massOf(i);
       Float4& x = state.position[i];
       Float4& v = corrected_[i];
       const Float4& before = state.velocity[i];
       step.walls.move(
           x, v,
-          {x.x + seconds * (v.x - before.x), x.y + seconds * (v.y - before.y), x.z + seconds * (v.z - before.z), 0});
+          {x.x + seconds * (v.x - before.x), x.y + seconds * (v.y - before.y), x.z + seconds * (v.z - before.z), 0},
+          push);
     }
+    return push.momenta;
   });
+  if (step.bodies != nullptr) step.bodies->bodies.push(pushed);
   state.velocity.swap(corrected_);
 }
 

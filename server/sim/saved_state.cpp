@@ -47,6 +47,7 @@ void FluidSimulation::save(core::StateWriter& out) const {
   out.write(grid_.cellOfSorted());
   if (population_.changes()) population_.save(out);
   freeFlight_.save(out);
+  if (!movingBodies_.empty()) movingBodies_.save(out);
   out.write(time_);
   out.write(lastStepSeconds_);
   out.write(recoverySeconds_);
@@ -62,6 +63,7 @@ void FluidSimulation::resume(core::StateReader& in) {
   readParticles(in);
   if (population_.changes()) population_.resume(in, state_.id);
   freeFlight_.resume(in);
+  if (!movingBodies_.empty()) movingBodies_.resume(in);
   in.read(time_);
   in.read(lastStepSeconds_);
   in.read(recoverySeconds_);
@@ -103,6 +105,7 @@ void FluidSimulation::rebuildPairs() {
   const StepTraits present{.particles = state_.size(), .emitting = population_.emitting(time_)};
   for (const Stage stage : planStep(settings_, present).stages) {
     if (stage == Stage::Boundary || stage == Stage::Factors) run(stage, last);
+    if (stage == Stage::Boundary) updateMovingBoundary(last);
   }
 }
 

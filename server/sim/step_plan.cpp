@@ -24,15 +24,18 @@ const std::vector<StageDescription>& descriptions() {
       {Stage::Micropolar, "micropolar", {"pairs", "positions", "spins"}, {"velocities", "spins"}},
       {Stage::Viscosity, "viscosity", {"pairs", "positions"}, {"velocities"}},
       {Stage::ImplicitViscosity, "implicit viscosity", {"pairs", "positions"}, {"velocities"}},
+      {Stage::BodyFriction, "body friction", {"contacts"}, {"velocities", "bodies' velocities"}},
       {Stage::Gravity, "gravity", {}, {"velocities"}},
       {Stage::DensitySolve, "density solve", {"pairs", "densities", "factors"}, {"velocities", "density impulses"}},
       {Stage::EquationOfState, "equation of state", {"pairs", "compressions"}, {"velocities", "compressions"}},
+      {Stage::RigidBodies, "rigid bodies", {"bodies' velocities"}, {"poses"}},
       {Stage::Move, "move", {"velocities"}, {"positions"}},
       {Stage::Drains, "drains", {"positions"}, {"particles"}},
       {Stage::Emitters, "emitters", {"positions"}, {"particles", "positions", "velocities"}},
       {Stage::Sort, "sort", {"positions"}, {"cells", "order of the particles"}},
       {Stage::Neighbours, "neighbours", {"positions", "cells"}, {"pairs", "densities", "gradient sums"}},
       {Stage::Boundary, "boundary", {"positions", "boundary particles"}, {"densities", "gradient sums"}},
+      {Stage::MovingBoundary, "moving boundary", {"positions", "poses"}, {"densities", "gradient sums", "contacts"}},
       {Stage::PositionSolve,
        "position solve",
        {"pairs", "densities"},
@@ -83,10 +86,13 @@ bool isOverPairs(Stage stage) {
   switch (stage) {
     case Stage::TimeStep:
     case Stage::Micropolar:
+    case Stage::BodyFriction:
     case Stage::Gravity:
+    case Stage::RigidBodies:
     case Stage::Move:
     case Stage::Drains:
     case Stage::Emitters:
+    case Stage::MovingBoundary:
     case Stage::Sort:
     case Stage::DensityError:
       return false;
@@ -137,6 +143,17 @@ std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation,
       break;
     case Stage::Gravity:
       if (isZero(simulation.gravity())) return "gravity is 0";
+      break;
+    case Stage::BodyFriction:
+      if (!traits.bodiesRub) return "no body has friction";
+      if (!traits.bodiesInReach) return "no particle is near such a body";
+      break;
+    case Stage::RigidBodies:
+      if (!traits.bodiesMove) return "none floats or is driven";
+      break;
+    case Stage::MovingBoundary:
+      if (!traits.bodiesMove && !traits.bodiesRub) return "no body moves or has friction";
+      if (!traits.bodiesInReach) return "no particle is near such a body";
       break;
     case Stage::Boundary:
       if (!traits.boundaryInReach) return "no particle is near a wall";

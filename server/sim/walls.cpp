@@ -16,6 +16,28 @@ Float4 toFloat4(const Vector3d& v) {
 
 }  // namespace
 
+bool Walls::holdInside(Float4& x, Float4& v) const {
+  Vector3d place = toVector(x);
+  const double clearance = clearance_;
+  if (enclosure_->distance(place) >= clearance) return false;
+  Vector3d velocity = toVector(v);
+  enclosure_->hold(place, velocity, clearance);
+  x = toFloat4(place);
+  v = toFloat4(velocity);
+  return true;
+}
+
+bool Walls::moveAmongMovingBodies(Float4& x, Float4& v, const Float4& to, BodyPush& push) const {
+  Vector3d target = toVector(to);
+  Vector3d velocity = toVector(v);
+  if (!moving_->deflect(toVector(x), velocity, target, static_cast<double>(clearance_), push)) {
+    return moveAmongWalls(x, v, to);
+  }
+  v = toFloat4(velocity);
+  moveAmongWalls(x, v, toFloat4(target));
+  return true;
+}
+
 bool Walls::moveAmongBodies(Float4& x, Float4& v, const Float4& to, BodySet near) const {
   Vector3d place = toVector(x);
   Vector3d velocity = toVector(v);

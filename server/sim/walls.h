@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "bodies.h"
 #include "cell_grid.h"
 #include "container.h"
+#include "moving_bodies.h"
 #include "particles.h"
 
 namespace sluice::sim {
@@ -18,21 +20,24 @@ inline constexpr float kHoldingDistance = 0.5F;
 /// the bodies; only a fast one that flies alone gets near, because a lone particle is not compressed by its speed.
 class Walls {
  public:
-  /// `bodies` must outlive this; `geometry` is that of the cells that particles are sorted into.
-  Walls(const Container& container, double spacing, const Bodies& bodies, const CellGeometry& geometry)
+  /// `bodies` and `moving` must outlive this; `geometry` is that of the cells that particles are sorted into.
+  Walls(const Container& container, double spacing, const Bodies& bodies, const CellGeometry& geometry,
+        const MovingBodies& moving)
       : bodies_(&bodies),
+        moving_(moving.empty() ? nullptr : &moving),
         geometry_(geometry),
         nearCells_(bodies.nearCells(geometry)),
         clearance_(kHoldingDistance * static_cast<float>(spacing)),
+        enclosure_(container.enclosure),
         high_{static_cast<float>(container.size[0]) - clearance_, static_cast<float>(container.size[1]) - clearance_,
               static_cast<float>(container.size[2]) - clearance_} {}
 
   /// Moves a particle from `x` to `to`, or as far as it gets: it slides along what is in its way, and loses the part of
-  /// its velocity that leads into it. Returns whether it had to be held.
-  bool move(Float4& x, Float4& v, const Float4& to) const {
-    if (const BodySet near = nearBodies(x); near != 0) return moveAmongBodies(x, v, to, near);
-    x = to;
-    return hold(x, v);
+  /// its velocity that leads into it; bodies that move get it handed on in `push`.
+  /// Returns whether it had to be held.
+  bool move(Float4& x, Float4& v, const Float4& to, BodyPush& push) const {
+    if (moving_ != nullptr) return moveAmongMovingBodies(x, v, to, push);
+    return moveAmongWalls(x, v, to);
   }
 
   /// Bodies that a particle may touch or feel within a step.
@@ -41,10 +46,18 @@ class Walls {
   std::uint64_t bytes() const { return nearCells_.size() * sizeof(BodySet); }
 
  private:
+  bool moveAmongMovingBodies(Float4& x, Float4& v, const Float4& to, BodyPush& push) const;
   bool moveAmongBodies(Float4& x, Float4& v, const Float4& to, BodySet near) const;
+
+  bool moveAmongWalls(Float4& x, Float4& v, const Float4& to) const {
+    if (const BodySet near = nearBodies(x); near != 0) return moveAmongBodies(x, v, to, near);
+    x = to;
+    return hold(x, v);
+  }
 
   /// Holds a particle inside the faces, without the part of its velocity that leads out. Returns whether it had to.
   bool hold(Float4& x, Float4& v) const {
+    if (enclosure_) return holdInside(x, v);
     const bool heldX = hold(x.x, v.x, high_[0]);
     const bool heldY = hold(x.y, v.y, high_[1]);
     const bool heldZ = hold(x.z, v.z, high_[2]);
@@ -59,10 +72,14 @@ class Walls {
     return true;
   }
 
+  bool holdInside(Float4& x, Float4& v) const;
+
   const Bodies* bodies_;
+  const MovingBodies* moving_;  ///< Null where there are none.
   CellGeometry geometry_;
   std::vector<BodySet> nearCells_;  ///< Of each cell; empty where there are no bodies.
   float clearance_;
+  std::optional<solids::Enclosure> enclosure_;  ///< The container's, where it is no plain box.
   std::array<float, 3> high_;
 };
 

@@ -50,6 +50,8 @@ float raise(float x, double y) {
   return power;
 }
 
+bool wallsInReach(const StepContext& step) { return step.boundaryInReach || step.bodiesInReach; }
+
 double densityRatioOf(const v1::Simulation& simulation) { return Mixture(simulation).densityRatio(); }
 
 }  // namespace
@@ -140,11 +142,13 @@ void WcsphSolver::applyPressure(StepContext& step) {
     return part;
   });
   state.velocity.swap(pushed_);
+  // Walls answer with a mirrored pressure: twice the particle's.
+  if (BodyCoupling* bodies = step.coupling()) bodies->push(impulse4_, 2, step.team);
   step.pressureAcceleration = std::sqrt(static_cast<double>(extremes.largestChange)) / step.seconds;
 }
 
 void WcsphSolver::mirrorGradient(const StepContext& step) {
-  if (!step.boundaryInReach) return;
+  if (!wallsInReach(step)) return;
   const NeighbourLists& lists = step.lists;
   const std::size_t particles = step.state.size();
   ones_.assign(particles, {1, 1, 1, 1});
@@ -160,7 +164,7 @@ void WcsphSolver::mirrorGradient(const StepContext& step) {
 }
 
 const std::vector<Float4>& WcsphSolver::gradientWithMirror(const StepContext& step) const {
-  return step.boundaryInReach ? gradient_ : step.lists.gradientSum();
+  return wallsInReach(step) ? gradient_ : step.lists.gradientSum();
 }
 
 void WcsphSolver::integrateDensity(StepContext& step) {
@@ -171,8 +175,11 @@ void WcsphSolver::integrateDensity(StepContext& step) {
   if (diffusive) diffuseDensity(step);
   const auto seconds = static_cast<float>(step.seconds);
   const std::vector<Float4>& gradientSum = gradientWithMirror(step);
-  const auto extremes = step.team.sumOverChunks<CompressionExtremes>(state.size(), [&](const Chunk& chunk) {
+  step.team.forEachChunk(state.size(), [&](const Chunk& chunk) {
     lists.loops().densityRate(lists.chunk(chunk), state.velocity.data(), gradientSum.data(), rate_.data());
+  });
+  if (const BodyCoupling* bodies = step.coupling()) bodies->addRates(-2, rate_, step.team);
+  const auto extremes = step.team.sumOverChunks<CompressionExtremes>(state.size(), [&](const Chunk& chunk) {
     CompressionExtremes part;
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
       const float rate = diffusive ? rate_[i] + diffusion_[i] : rate_[i];

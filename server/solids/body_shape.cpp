@@ -21,9 +21,12 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Layers that fit into a solid body whose narrowest extent is `thickness`: the innermost is not a folded sheet.
 int fittingLayers(const SurfaceSampling& sampling, double thickness) {
-  const double fitting = 1 + std::floor((thickness / sampling.spacing - 0.5) / 2);
+  const double fitting = 1 + std::floor(((thickness - 2 * sampling.inset) / sampling.spacing - 0.5) / 2);
   return std::clamp(static_cast<int>(std::min(fitting, 1e6)), 1, std::max(1, sampling.layers));
 }
+
+/// How far a layer is within the surface, m.
+double depthOf(int layer, const SurfaceSampling& sampling) { return sampling.inset + layer * sampling.spacing; }
 
 /// Points of a circle around y, evenly; one on the axis where it is narrower than they are apart.
 void sampleRing(double radius, double y, double spacing, const BodyShape::AddPoint& add) {
@@ -79,7 +82,7 @@ class BoxSurface : public BodyShape {
   }
 
   Vector3d shell(int layer, const SurfaceSampling& sampling) const {
-    return (size_.array() - 2 * layer * sampling.spacing).matrix();
+    return (size_.array() - 2 * depthOf(layer, sampling)).max(0).matrix();
   }
 
   /// Points of the faces of a lattice that fills a box; a box thinner than half a spacing is one sheet.
@@ -122,7 +125,7 @@ class SphereSurface : public BodyShape {
   double area(const SurfaceSampling& sampling) const override {
     double total = 0;
     for (int layer = 0; layer < fittingLayers(sampling, 2 * radius_); ++layer) {
-      const double r = radius_ - layer * sampling.spacing;
+      const double r = radius_ - depthOf(layer, sampling);
       total += 2 * kTurn * r * r;
     }
     return total;
@@ -131,7 +134,7 @@ class SphereSurface : public BodyShape {
   /// Rings at even polar angles, the first and last half a step from the poles: the same above and below.
   void sample(const SurfaceSampling& sampling, const AddPoint& add) const override {
     for (int layer = 0; layer < fittingLayers(sampling, 2 * radius_); ++layer) {
-      const double r = radius_ - layer * sampling.spacing;
+      const double r = std::max(0.0, radius_ - depthOf(layer, sampling));
       const std::int64_t rings = std::max<std::int64_t>(1, std::llround(0.5 * kTurn * r / sampling.spacing));
       for (std::int64_t ring = 0; ring < rings; ++ring) {
         const double polar = 0.5 * kTurn * (static_cast<double>(ring) + 0.5) / static_cast<double>(rings);
@@ -175,8 +178,8 @@ class CylinderSurface : public BodyShape {
   double area(const SurfaceSampling& sampling) const override {
     double total = 0;
     for (int layer = 0; layer < layersOf(sampling); ++layer) {
-      const double r = radius_ - layer * sampling.spacing;
-      const double height = 2 * (half_ - layer * sampling.spacing);
+      const double r = radius_ - depthOf(layer, sampling);
+      const double height = 2 * (half_ - depthOf(layer, sampling));
       total += kTurn * r * height + (openTop_ ? 0.5 : 1.0) * kTurn * r * r;
     }
     return total;
@@ -184,8 +187,8 @@ class CylinderSurface : public BodyShape {
 
   void sample(const SurfaceSampling& sampling, const AddPoint& add) const override {
     for (int layer = 0; layer < layersOf(sampling); ++layer) {
-      const double inset = layer * sampling.spacing;
-      sampleShell(radius_ - inset, half_ - inset, sampling.spacing, add);
+      const double inset = depthOf(layer, sampling);
+      sampleShell(std::max(0.0, radius_ - inset), std::max(0.0, half_ - inset), sampling.spacing, add);
     }
   }
 

@@ -265,11 +265,11 @@ void MeshShape::sample(const SurfaceSampling& sampling, const AddPoint& add) con
   SpacedPoints taken(kClosestSamples * d);
   const int layers = closed_ ? std::max(1, sampling.layers) : 1;
   for (int layer = 0; layer < layers; ++layer) {
-    const double depth = layer * d;
+    const double depth = (closed_ ? sampling.inset : 0) + layer * d;
     for (const Triangle& triangle : triangles_) {
       const Vector3d inset = depth * (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).stableNormalized();
       forEachCandidate(triangle, d / kCandidates, [&](const Vector3d& surface) {
-        if (layer == 0) {
+        if (depth == 0) {
           if (taken.add(surface)) add(surface);
           return;
         }

@@ -20,6 +20,7 @@ class MeshShape : public BodyShape {
   bool contains(const Eigen::Vector3d& x) const override;
   ClosestPoint closest(const Eigen::Vector3d& x, double reach) const override;
   double area(const SurfaceSampling& sampling) const override;
+  std::vector<std::array<Eigen::Vector3d, 3>> triangles() const override { return triangles_; }
   void sample(const SurfaceSampling& sampling, const AddPoint& add) const override;
 
  private:

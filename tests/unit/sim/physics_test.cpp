@@ -140,8 +140,8 @@ TEST(Physics, PressureInAColumnGrowsWithDepth) {
   EXPECT_GT(meanOf(5), meanOf(8));
 }
 
-// p ≈ ρ0 g depth, of the snapshots: 15 % of the pressure at the floor. Half of that is the lattice's (the surface stands
-// somewhere within a spacing, a twelfth of the depth), the rest the 5 % that single layers differ by.
+// p ≈ ρ0 g depth, of the snapshots: 15 % of the pressure at the floor. Half of that is the lattice's (the surface
+// stands somewhere within a spacing, a twelfth of the depth), the rest the 5 % that single layers differ by.
 TEST(Physics, SnapshotsTellTheHydrostaticPressure) {
   constexpr std::uint32_t kLayers = 12;
   constexpr double kDensity = 850;

@@ -12,6 +12,7 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
+using testing::Not;
 
 constexpr StepTraits kNearWall{.particles = 100, .boundaryInReach = true};
 
@@ -21,8 +22,11 @@ TEST(StepPlan, RunsEveryStageOfAFullScene) {
                                        Stage::DensitySolve, Stage::Move, Stage::Sort, Stage::Neighbours,
                                        Stage::Boundary, Stage::Factors, Stage::DensityError));
   EXPECT_THAT(plan.leftOut, ElementsAre(core::LeftOut{"surface tension", "not asked for"},
-                                        core::LeftOut{"micropolar", "not asked for"}, core::LeftOut{"drains", "none"},
-                                        core::LeftOut{"emitters", "none"}));
+                                        core::LeftOut{"micropolar", "not asked for"},
+                                        core::LeftOut{"body friction", "no body has friction"},
+                                        core::LeftOut{"rigid bodies", "none floats or is driven"},
+                                        core::LeftOut{"drains", "none"}, core::LeftOut{"emitters", "none"},
+                                        core::LeftOut{"moving boundary", "no body moves or has friction"}));
 }
 
 TEST(StepPlan, LeavesOutWhatASceneDoesNotNeed) {
@@ -35,8 +39,25 @@ TEST(StepPlan, LeavesOutWhatASceneDoesNotNeed) {
       plan.leftOut,
       ElementsAre(core::LeftOut{"divergence solve", "switched off"}, core::LeftOut{"surface tension", "not asked for"},
                   core::LeftOut{"micropolar", "not asked for"}, core::LeftOut{"viscosity", "the viscosity is 0"},
-                  core::LeftOut{"gravity", "gravity is 0"}, core::LeftOut{"drains", "none"},
-                  core::LeftOut{"emitters", "none"}, core::LeftOut{"boundary", "no particle is near a wall"}));
+                  core::LeftOut{"body friction", "no body has friction"}, core::LeftOut{"gravity", "gravity is 0"},
+                  core::LeftOut{"rigid bodies", "none floats or is driven"}, core::LeftOut{"drains", "none"},
+                  core::LeftOut{"emitters", "none"}, core::LeftOut{"boundary", "no particle is near a wall"},
+                  core::LeftOut{"moving boundary", "no body moves or has friction"}));
+}
+
+TEST(StepPlan, RunsWhatBodiesNeedWhereTheyAreNear) {
+  StepTraits traits = kNearWall;
+  traits.bodiesMove = traits.bodiesRub = true;
+  const StepPlan far = planStep(smallDamBreak(), traits);
+  EXPECT_THAT(far.stages, Contains(Stage::RigidBodies));
+  EXPECT_THAT(far.stages, Not(Contains(Stage::MovingBoundary)));
+  EXPECT_THAT(far.stages, Not(Contains(Stage::BodyFriction)));
+  traits.bodiesInReach = true;
+  EXPECT_THAT(
+      planStep(smallDamBreak(), traits).stages,
+      ElementsAre(Stage::TimeStep, Stage::DivergenceSolve, Stage::Viscosity, Stage::BodyFriction, Stage::Gravity,
+                  Stage::DensitySolve, Stage::RigidBodies, Stage::Move, Stage::Sort, Stage::Neighbours, Stage::Boundary,
+                  Stage::MovingBoundary, Stage::Factors, Stage::DensityError));
 }
 
 TEST(StepPlan, DescribesEveryStageThatRuns) {

@@ -18,15 +18,18 @@ enum class Stage {
   Micropolar,         ///< Exchange of velocity and spin.
   Viscosity,          ///< Explicit viscosity.
   ImplicitViscosity,  ///< Viscosity by a linear system.
+  BodyFriction,       ///< Friction between the fluid and bodies.
   Gravity,
   DensitySolve,     ///< DFSPH, IISPH: pressure impulses that keep the density at rest after the move.
   EquationOfState,  ///< WCSPH: pressure from density, and how that changes.
+  RigidBodies,      ///< Bodies move, by Bullet and by their drivers.
   Move,             ///< Refuse or take the step: x += v dt.
   Drains,           ///< Take out particles that have come into a drain.
   Emitters,         ///< Add the layers of particles that have passed a nozzle's mouth.
   Sort,             ///< Reorder the particles by cell.
   Neighbours,       ///< Find the pairs; densities and gradient sums.
   Boundary,         ///< The boundary's share of those sums.
+  MovingBoundary,   ///< The same of bodies that move, and what touches them.
   PositionSolve,    ///< PBF: corrections of the positions.
   Factors,          ///< DFSPH, IISPH: pressure factors.
   DensityError,     ///< How far the densities are from rest.
@@ -39,6 +42,9 @@ struct StepTraits {
   bool boundaryInReach = true;
   /// No particle has another within the support radius, or can get one in this step.
   bool freeFlight = false;
+  bool bodiesMove = false;     ///< A body floats or is driven.
+  bool bodiesRub = false;      ///< A body has friction.
+  bool bodiesInReach = false;  ///< A particle may come within the support radius of one of these.
   /// The step is longer than explicit viscosity is stable in.
   bool implicitViscosity = false;
   /// An emitter may give particles in this step, or has a layer on its way.

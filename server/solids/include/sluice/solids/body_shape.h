@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -20,7 +22,10 @@ struct ClosestPoint {
 /// How a body's surface is sampled by boundary particles.
 struct SurfaceSampling {
   double spacing = 0;  ///< d, m.
-  int layers = 1;      ///< Of a solid body: the surface, and others inside it one spacing behind one another.
+  /// How far within a solid body's surface the outermost layer is, m. Fluid comes to rest one spacing from a layer with
+  /// half a spacing of its own: with half a spacing here it reaches the surface, and displaces just the body's volume.
+  double inset = 0;
+  int layers = 1;  ///< Of a solid body: the surface, and others inside it one spacing behind one another.
 };
 
 /// The surface of a body in its own axes. Immutable; all functions are thread-safe.
@@ -43,6 +48,9 @@ class BodyShape {
 
   /// Area of all layers, m²: about one sample comes to each spacing squared.
   virtual double area(const SurfaceSampling& sampling) const = 0;
+
+  /// The triangles of a mesh; none of other shapes.
+  virtual std::vector<std::array<Eigen::Vector3d, 3>> triangles() const { return {}; }
 
   /// Calls `add` with points about one spacing apart, always the same ones in the same order.
   virtual void sample(const SurfaceSampling& sampling, const AddPoint& add) const = 0;
