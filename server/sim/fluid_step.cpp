@@ -252,8 +252,10 @@ void FluidSimulation::findNeighbours() {
 }
 
 void FluidSimulation::takeBack() {
-  if (sortedInStep_) {
+  if (solver_->movesParticles()) {
+    // previous_ is from before the solver moved them on.
     state_ = beginning_;
+    if (!sortedInStep_) return;
     sort();
     lists_.find(grid_, state_.position, team_);
     lists_.addBoundary(boundary_, grid_, state_.position, team_);
