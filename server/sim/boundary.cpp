@@ -29,6 +29,7 @@ std::int64_t layersOf(double spacing, double support) {
 
 /// Points of the faces of an (nx+1)(ny+1)(nz+1) lattice that fills the box, and of layers - 1 shells around it.
 std::vector<Float4> samplePoints(const Container& container, double spacing, std::int64_t layers) {
+  if (container.periodic) return {};
   const std::array<std::int64_t, 3> n = intervals(container, spacing);
   const std::int64_t shells = layers - 1;
   const auto place = [&](std::size_t axis, std::int64_t step) {

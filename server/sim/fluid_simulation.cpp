@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "experiment_state.h"
 #include "lattice.h"
 #include "memory_budget.h"
 #include "sluice/core/check.h"
@@ -32,8 +33,16 @@ CellGeometry cellsOf(const Container& container, double support, double particle
   constexpr double kFewCells = 1 << 16;
   std::array<double, 3> size = container.size;
   if (container.plane) size[2] = support;
+  const std::array<double, 3> period = container.period();
   return CellGeometry::covering(size, support,
-                                static_cast<std::uint64_t>(std::max(kFewCells, kCellsPerParticle * particles)));
+                                static_cast<std::uint64_t>(std::max(kFewCells, kCellsPerParticle * particles)),
+                                {period[0] > 0, period[1] > 0, period[2] > 0});
+}
+
+Container checkedContainer(const v1::Simulation& settings, const SimulationOptions& options) {
+  Container container = containerOf(settings);
+  container.periodic = options.experiment && options.experiment->periodic;
+  return container;
 }
 
 double checkedBoundaryCount(const Container& container, const Discretisation& discretisation) {
@@ -97,21 +106,28 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Simulatio
       options_(options),
       team_(threadCount(options.threads)),
       mixture_(settings),
-      container_(containerOf(settings)),
+      container_(checkedContainer(settings, options)),
       discretisation_(discretisationOf(settings)),
       boundary_(container_, discretisation_,
                 cellsOf(container_, discretisation_.support, checkedBoundaryCount(container_, discretisation_)), team_),
       grid_(boundary_.grid().geometry()),
-      lists_(options.loops != nullptr ? *options.loops : bestPairLoops(), PairScale(discretisation_)),
+      lists_(options.loops != nullptr ? *options.loops : bestPairLoops(),
+             PairScale(discretisation_, container_.period())),
       solver_(makePressureSolver(settings)),
       surfaceTension_(makeSurfaceTension(settings)) {
   checkPlanar(settings);
+  checkPeriod(container_, discretisation_.support);
   reset();
-  checkOverlaps();
+  if (!options_.experiment) checkOverlaps();
+}
+
+ParticleState FluidSimulation::startState() const {
+  if (options_.experiment) return stateOf(*options_.experiment, container_);
+  return checkedInitialState(settings_, container_, discretisation_);
 }
 
 void FluidSimulation::reset() {
-  state_ = checkedInitialState(settings_, container_, discretisation_);
+  state_ = startState();
   solver_->reset(state_, container_);
   if (settings_.has_micropolar()) MicropolarModel::reset(state_);
   statistics_ = {};

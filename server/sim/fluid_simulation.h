@@ -17,6 +17,7 @@
 #include "particles.h"
 #include "pressure_solver.h"
 #include "sluice/core/particle_source.h"
+#include "sluice/sim/experiment.h"
 #include "sluice/sim/step_plan.h"
 #include "sluice/v1/scene.pb.h"
 #include "surface_tension.h"
@@ -33,6 +34,7 @@ struct SimulationOptions {
   /// Also run stages that a plan leaves out as having no effect (viscosity, gravity, boundary, …): for the tests that
   /// show that leaving them out changes nothing.
   bool keepInertStages = false;
+  std::shared_ptr<const Experiment> experiment = nullptr;  ///< What stands in for parts of the scene; null for nothing.
 };
 
 /// SPH in a closed box. A step runs the stages of its StepPlan, no others; which they are follows from the methods that
@@ -67,6 +69,10 @@ class FluidSimulation : public core::ParticleSource {
 
  private:
   void checkOverlaps() const;
+  bool hasForceField() const { return options_.experiment && options_.experiment->acceleration; }
+  Eigen::Vector3d fieldAt(const Float4& position) const;
+  double largestAcceleration() const;
+  ParticleState startState() const;
   TimeStepInputs timeStepInputs() const;
   StepTraits traits() const;
   StepPlan currentPlan() const;
@@ -76,6 +82,7 @@ class FluidSimulation : public core::ParticleSource {
   void run(Stage stage, StepContext& step);
   void acceptLength(StepContext& step) const;
   void applyGravity(const StepContext& step);
+  void applyField(const StepContext& step);
   void move(StepContext& step);
   void sort();
   void findNeighbours();

@@ -43,8 +43,6 @@ std::string reasonToHalt(double time, double shortest, const std::string& troubl
   return message.str();
 }
 
-double norm(const v1::Vec3& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()); }
-
 }  // namespace
 
 TimeStepInputs FluidSimulation::timeStepInputs() const {
@@ -52,7 +50,7 @@ TimeStepInputs FluidSimulation::timeStepInputs() const {
   return {.spacing = discretisation_.spacing,
           .support = discretisation_.support,
           .maxSpeed = maxSpeed_,
-          .acceleration = std::max(norm(settings_.gravity()), pressureAcceleration_),
+          .acceleration = std::max(largestAcceleration(), pressureAcceleration_),
           .viscosity = mixture_.largestViscosity(),
           .kinematicTension = tension / mixture_.lightest(),
           .speedOfSound = solver_->speedOfSound(),
@@ -65,7 +63,9 @@ StepTraits FluidSimulation::traits() const {
   const TimeStepChoice length = chooseTimeStep(settings_.time_step(), timeStepInputs());
   return {.particles = state_.size(),
           .boundaryInReach = boundaryInReach_,
-          .freeFlight = !boundaryInReach_ && freeFlight_.covers(state_.velocity, length.seconds, team_),
+          .freeFlight = !boundaryInReach_ && !hasForceField() && !container_.periodic &&
+                        freeFlight_.covers(state_.velocity, length.seconds, team_),
+          .forceField = hasForceField(),
           .implicitViscosity = length.implicitViscosity};
 }
 
@@ -78,7 +78,9 @@ StepPlan FluidSimulation::currentPlan() const {
   busy.mutable_fluids(0)->set_viscosity(1);
   if (busy.has_surface_tension()) busy.mutable_surface_tension()->set_tension(1);
   if (busy.has_micropolar()) busy.mutable_micropolar()->set_transfer(1);
-  return planStep(busy, {.particles = present.particles, .implicitViscosity = present.implicitViscosity});
+  return planStep(busy, {.particles = present.particles,
+                         .forceField = present.forceField,
+                         .implicitViscosity = present.implicitViscosity});
 }
 
 bool FluidSimulation::advance() {
@@ -200,17 +202,6 @@ void FluidSimulation::acceptLength(StepContext& step) const {
   step.trouble = text.str();
 }
 
-void FluidSimulation::applyGravity(const StepContext& step) {
-  const auto change = [&](double g) { return static_cast<float>(g * step.seconds); };
-  const Float4 dv{change(settings_.gravity().x()), change(settings_.gravity().y()), change(settings_.gravity().z()), 0};
-  team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
-    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-      Float4& v = state_.velocity[i];
-      v = {v.x + dv.x, v.y + dv.y, v.z + dv.z, 0};
-    }
-  });
-}
-
 void FluidSimulation::move(StepContext& step) {
   step.maxSpeed = checkedMaxSpeed(step);
   if (!step.trouble.empty()) return;
@@ -282,6 +273,10 @@ void FluidSimulation::measureCompression() {
 }
 
 void FluidSimulation::findBoundaryInReach() {
+  if (container_.periodic) {
+    boundaryInReach_ = false;
+    return;
+  }
   const double reach = discretisation_.support + kLargestMove * discretisation_.spacing;
   const auto near = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
     Count part;

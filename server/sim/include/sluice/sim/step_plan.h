@@ -37,6 +37,8 @@ struct StepTraits {
   bool boundaryInReach = true;
   /// No particle has another within the support radius, or can get one in this step.
   bool freeFlight = false;
+  /// A field of force acts besides gravity.
+  bool forceField = false;
   /// The step is longer than explicit viscosity is stable in.
   bool implicitViscosity = false;
 };
