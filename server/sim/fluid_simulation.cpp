@@ -179,6 +179,28 @@ void FluidSimulation::checkOverlaps() const {
   }
 }
 
+/// The wall's share in what each particle is pressed between, by sums of gradients: ½ against a flat wall. Empty where
+/// no particle is near a wall, or walls answer as fluid does.
+std::vector<float> FluidSimulation::wallShares() const {
+  if (!boundaryInReach_ || solver_->wallsMirrorPressure()) return {};
+  const std::vector<Float4> ones(state_.size(), {1, 1, 1, 1});
+  std::vector<Float4> ofFluid(state_.size());
+  std::vector<float> shares(state_.size());
+  // Σ V ∇W over one side of a lattice: half of what makes gradients of linear fields exact.
+  const auto fullSide = static_cast<float>(0.5 / discretisation_.spacing);
+  const auto norm = [](float x, float y, float z) { return std::sqrt(x * x + y * y + z * z); };
+  team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
+    lists_.loops().weightedGradient(lists_.chunk(chunk), ones.data(), ofFluid.data());
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+      const Float4& all = lists_.gradientSum()[i];
+      const Float4& fluid = ofFluid[i];
+      const float wall = norm(all.x - fluid.x, all.y - fluid.y, all.z - fluid.z);
+      shares[i] = wall / (wall + fullSide);
+    }
+  });
+  return shares;
+}
+
 std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   auto snapshot = std::make_unique<core::ParticleSnapshot>();
   snapshot->time = time_;
@@ -199,6 +221,9 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   // κ = p·dt/ρ_max: u = v − dt/ρ·∇p, see Mixture. Of the density solve, which is the one that carries gravity.
   const float pressureOfImpulse =
       lastStepSeconds_ > 0 ? static_cast<float>(mixture_.heaviest() / lastStepSeconds_) : 0.0F;
+  // Two particles push each other with κ_i + κ_j, twice the pressure; a wall answers with κ_i alone, so that particles
+  // beside it carry more than the pressure that is there.
+  const std::vector<float> wallShare = wallShares();
   const Eigen::Vector3f origin(static_cast<float>(container_.origin[0]), static_cast<float>(container_.origin[1]),
                                static_cast<float>(container_.origin[2]));
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
@@ -209,6 +234,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
       snapshot->velocities[i] = {v.x, v.y, v.z};
       snapshot->densities[i] = restDensity[state_.fluid.empty() ? 0 : state_.fluid[i]] * lists_.density()[i];
       snapshot->pressures[i] = pressureOfImpulse * state_.densityImpulse[i];
+      if (!wallShare.empty()) snapshot->pressures[i] /= 1 + wallShare[i];
     }
     lists_.countFluidNeighbours(chunk, snapshot->neighbours);
   });

@@ -73,7 +73,9 @@ class FluidSimulation : public core::ParticleSource {
   Eigen::Vector3d fieldAt(const Float4& position) const;
   double largestAcceleration() const;
   ParticleState startState() const;
+  std::vector<float> wallShares() const;
   TimeStepInputs timeStepInputs() const;
+  TimeStepChoice chooseLength() const;
   StepTraits traits() const;
   StepPlan currentPlan() const;
   StepContext beginStep();

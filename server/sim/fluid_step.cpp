@@ -51,7 +51,7 @@ TimeStepInputs FluidSimulation::timeStepInputs() const {
           .support = discretisation_.support,
           .maxSpeed = maxSpeed_,
           .acceleration = std::max(largestAcceleration(), pressureAcceleration_),
-          .viscosity = mixture_.largestViscosity(),
+          .viscosity = discretisation_.viscosityScale * mixture_.largestViscosity(),
           .kinematicTension = tension / mixture_.lightest(),
           .speedOfSound = solver_->speedOfSound(),
           .courant = settings_.wcsph().courant(),
@@ -59,8 +59,18 @@ TimeStepInputs FluidSimulation::timeStepInputs() const {
           .recovery = recoverySeconds_};
 }
 
+TimeStepChoice FluidSimulation::chooseLength() const {
+  TimeStepChoice choice = chooseTimeStep(settings_.time_step(), timeStepInputs());
+  const double forced = options_.experiment ? options_.experiment->forcedStep : 0;
+  if (forced > 0) {
+    choice.seconds = std::min(forced, recoverySeconds_);
+    choice.limit = choice.seconds < forced ? "recovery" : "experiment";
+  }
+  return choice;
+}
+
 StepTraits FluidSimulation::traits() const {
-  const TimeStepChoice length = chooseTimeStep(settings_.time_step(), timeStepInputs());
+  const TimeStepChoice length = chooseLength();
   return {.particles = state_.size(),
           .boundaryInReach = boundaryInReach_,
           .freeFlight = !boundaryInReach_ && !hasForceField() && !container_.periodic &&
@@ -98,7 +108,7 @@ StepContext FluidSimulation::beginStep() {
   sortedInStep_ = false;
   if (solver_->movesParticles()) beginning_ = state_;
   findBoundaryInReach();
-  length_ = chooseTimeStep(settings_.time_step(), timeStepInputs());
+  length_ = chooseLength();
   shortenToStop();
   return {.discretisation = discretisation_,
           .container = container_,

@@ -22,6 +22,10 @@ struct Experiment {
   /// a planar scene along x and y. It has to be three supports long at least.
   bool periodic = false;
 
+  /// Length of every step, s, whatever the bounds on it say, to find out where they lie; after a step that had to be
+  /// taken back, shorter. 0: as bounded.
+  double forcedStep = 0;
+
   /// Acceleration at a position (m) and a time (s) besides gravity, m/s²; empty for none. Called from several threads.
   std::function<Eigen::Vector3d(const Eigen::Vector3d& position, double seconds)> acceleration = {};
 };
