@@ -4,10 +4,12 @@
 #include <utility>
 
 #include <omp.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "sluice/core/input_error.h"
 #include "sluice/evaluate/study.h"
 
 namespace sluice::app {
@@ -36,15 +38,22 @@ void append(evaluate::Report& all, evaluate::Report report) {
 int runStudies(EvaluateOptions& given) {
   const std::vector<evaluate::Study> studies = evaluate::findStudies(given.study, given.options.only);
   if (given.threads > 0) omp_set_num_threads(given.threads);
+  given.options.threads = given.threads;
+  given.options.folder = given.out;
+  std::error_code error;
+  std::filesystem::create_directories(given.options.folder, error);
+  if (error) throw core::InputError(given.out, "--out", "cannot be made: " + error.message());
 
   evaluate::Report all;
   for (const evaluate::Study& study : studies) {
     const std::string name(study.name);
     given.options.progress = [&](const std::string& part) {
-      std::fprintf(stderr, "%s: %s\n", name.c_str(), part.c_str());
+      // One line that changes where a person watches.
+      std::fprintf(stderr, isatty(STDERR_FILENO) ? "\r\033[K%s: %s" : "%s: %s\n", name.c_str(), part.c_str());
     };
     append(all, study.run(given.options));
   }
+  if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K");
 
   const std::vector<std::filesystem::path> files = evaluate::writeReport(all, given.out);
   for (const std::string& note : all.notes) std::printf("note: %s\n", note.c_str());
@@ -64,7 +73,7 @@ void addEvaluateCommand(CLI::App& program, Command& chosen) {
     doc += "\n" + std::string(study.name) + ": " + std::string(study.doc);
   }
   verb.add_option("STUDY", given->study, doc)->required();
-  verb.add_flag("--quick", given->options.quick, "Fewer cases, in under a minute a study");
+  verb.add_flag("--quick", given->options.quick, "Fewer cases, in about a minute a study");
   verb.add_option("--out", given->out, "Folder to write tables, plots and pages to")->capture_default_str();
   verb.add_option("--only", given->options.only, "One part of the study");
   verb.add_option("--particles", given->options.particles, "A particle file to study beside the made shapes");
@@ -72,8 +81,11 @@ void addEvaluateCommand(CLI::App& program, Command& chosen) {
       ->allow_extra_args(false)
       ->take_all();
   verb.add_option("--seed", given->options.seed, "Seed of the shapes' particles")->capture_default_str();
-  verb.add_option("--threads", given->threads, "Threads that trace reference surfaces; 0: one for each core")
+  verb.add_option("--threads", given->threads,
+                  "Threads that simulate and trace reference surfaces; 0: one for each core")
       ->check(CLI::Range(0, 1024));
+  verb.add_flag("--resume", given->options.resume,
+                "Go on with a study that was cut off, from what it has left in --out");
   verb.add_flag("--json", given->json, "Print rows and files as one JSON object on the last line");
   verb.callback([given, &chosen] { chosen = [given] { return runStudies(*given); }; });
 }

@@ -8,7 +8,7 @@ namespace sluice::evaluate {
 
 namespace {
 
-std::string processorName() {
+std::string modelName() {
   std::ifstream in("/proc/cpuinfo");
   for (std::string line; std::getline(in, line);) {
     if (!line.starts_with("model name")) continue;
@@ -20,10 +20,11 @@ std::string processorName() {
 
 }  // namespace
 
-std::string machineName(const gl::Context& context) {
-  return context.rendererName() + ", " + processorName() + ", " + std::to_string(std::thread::hardware_concurrency()) +
-         " threads";
+std::string processorName() {
+  return modelName() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads";
 }
+
+std::string machineName(const gl::Context& context) { return context.rendererName() + ", " + processorName(); }
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;

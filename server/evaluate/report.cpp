@@ -70,6 +70,10 @@ void Row::set(std::string_view key, Value value) {
   }
 }
 
+void Row::erase(std::string_view key) {
+  std::erase_if(cells_, [&](const auto& cell) { return cell.first == key; });
+}
+
 const Value* Row::find(std::string_view key) const {
   const auto found = std::ranges::find(cells_, key, &std::pair<std::string, Value>::first);
   return found == cells_.end() ? nullptr : &found->second;

@@ -7,6 +7,7 @@
 #include "sluice/core/input_error.h"
 #include "sluice/evaluate/study.h"
 #include "smoothing/smoothing_study.h"
+#include "solvers/solvers_study.h"
 #include "speed/speed_study.h"
 #include "stability/stability_study.h"
 
@@ -16,6 +17,8 @@ std::span<const Study> studies() {
   static constexpr std::array kStudies{
       Study{"smoothing", "every smoothing method: error against time, and the tables of van der Laan et al. 2009",
             smoothingParts, runSmoothingStudy},
+      Study{"solvers", "every pressure solver on flows whose course is known: error against run time", solverParts,
+            runSolversStudy},
       Study{"stability", "cases that are made to break what they test: depth images, cameras, steps beyond their bound",
             stabilityParts, runStabilityStudy},
       Study{"features", "what each feature costs, and leaving it out saves", featureParts, runFeaturesStudy},

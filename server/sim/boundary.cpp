@@ -69,6 +69,7 @@ double wallCalibration(const Discretisation& discretisation, int layers) {
 }
 
 std::vector<Float4> sampleBox(const Container& container, double spacing, int layers) {
+  if (container.periodic) return {};
   const std::array<std::int64_t, 3> n = intervals(container, spacing);
   const std::int64_t shells = std::int64_t{layers} - 1;
   const auto place = [&](std::size_t axis, std::int64_t step) {

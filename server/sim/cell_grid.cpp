@@ -6,8 +6,10 @@
 
 namespace sluice::sim {
 
-CellGeometry CellGeometry::covering(const std::array<double, 3>& size, double support, std::uint64_t cellLimit) {
+CellGeometry CellGeometry::covering(const std::array<double, 3>& size, double support, std::uint64_t cellLimit,
+                                    const std::array<bool, 3>& periodic) {
   CellGeometry geometry;
+  geometry.periodic = periodic;
   for (double edge = support;; edge *= 1.25) {
     double total = 1;
     double longest = 1;
@@ -21,7 +23,9 @@ CellGeometry CellGeometry::covering(const std::array<double, 3>& size, double su
     // every point that is closer than the support.
     const double widened = edge * (1 + 1e-5 + 5e-7 * longest);
     for (int axis = 0; axis < 3; ++axis) {
-      geometry.cells[axis] = static_cast<std::uint32_t>(std::max(1.0, std::ceil(size[axis] / widened)));
+      const double cells = size[axis] / widened;
+      geometry.cells[axis] =
+          static_cast<std::uint32_t>(std::max(1.0, periodic[axis] ? std::floor(cells) : std::ceil(cells)));
     }
     geometry.inverseEdge = static_cast<float>(1 / widened);
     return geometry;
@@ -68,6 +72,7 @@ CellGrid::Neighbourhood CellGrid::around(std::uint32_t cell) const {
   const std::uint32_t x = cell % nx;
   const std::uint32_t y = cell / nx % ny;
   const std::uint32_t z = cell / nx / ny;
+  if (geometry_.periodic != std::array<bool, 3>{}) return aroundPeriodic({x, y, z});
   const std::uint32_t x0 = x == 0 ? 0 : x - 1;
   const std::uint32_t x1 = std::min(x + 1, nx - 1);
 
@@ -75,10 +80,40 @@ CellGrid::Neighbourhood CellGrid::around(std::uint32_t cell) const {
   for (std::uint32_t k = z == 0 ? 0 : z - 1; k <= std::min(z + 1, nz - 1); ++k) {
     for (std::uint32_t j = y == 0 ? 0 : y - 1; j <= std::min(y + 1, ny - 1); ++j) {
       const std::size_t row = std::size_t{nx} * (j + std::size_t{ny} * k);
-      const Range range{starts_[row + x0], starts_[row + x1 + 1]};
+      const Range range{starts_[row + x0], starts_[row + x1 + 1], {}};
       if (range.first == range.last) continue;
       found.ranges[static_cast<std::size_t>(found.count++)] = range;
       found.points += range.last - range.first;
+    }
+  }
+  return found;
+}
+
+CellGrid::Neighbourhood CellGrid::aroundPeriodic(const std::array<std::uint32_t, 3>& place) const {
+  const auto& cells = geometry_.cells;
+  Neighbourhood found;
+  std::array<int, 3> offset{};
+  for (offset[2] = -1; offset[2] <= 1; ++offset[2]) {
+    for (offset[1] = -1; offset[1] <= 1; ++offset[1]) {
+      for (offset[0] = -1; offset[0] <= 1; ++offset[0]) {
+        std::array<std::size_t, 3> at{};
+        Range range{};
+        bool inside = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const std::int64_t count = cells[axis];
+          const std::int64_t beside = std::int64_t{place[axis]} + offset[axis];
+          range.image[axis] = static_cast<std::int8_t>(beside < 0 ? -1 : beside >= count ? 1 : 0);
+          inside = inside && (geometry_.periodic[axis] || range.image[axis] == 0);
+          at[axis] = static_cast<std::size_t>(beside - range.image[axis] * count);
+        }
+        if (!inside) continue;
+        const std::size_t other = at[0] + cells[0] * (at[1] + std::size_t{cells[1]} * at[2]);
+        range.first = starts_[other];
+        range.last = starts_[other + 1];
+        if (range.first == range.last) continue;
+        found.ranges[static_cast<std::size_t>(found.count++)] = range;
+        found.points += range.last - range.first;
+      }
     }
   }
   return found;

@@ -15,10 +15,13 @@ namespace sluice::sim {
 struct CellGeometry {
   float inverseEdge = 1;  ///< 1/m.
   std::array<std::uint32_t, 3> cells{1, 1, 1};
+  std::array<bool, 3> periodic{};  ///< Axes along which the first cells are the last ones' neighbours.
 
   /// Cells with an edge of at least `support`, at most `cellLimit` of them: where a box would need more, the edge is
-  /// made larger, which keeps every search right and makes it slower.
-  static CellGeometry covering(const std::array<double, 3>& size, double support, std::uint64_t cellLimit);
+  /// made larger, which keeps every search right and makes it slower. Along periodic axes the last cell is up to twice
+  /// as long, because the cells must end where the box does.
+  static CellGeometry covering(const std::array<double, 3>& size, double support, std::uint64_t cellLimit,
+                               const std::array<bool, 3>& periodic = {});
 
   std::size_t count() const { return std::size_t{cells[0]} * cells[1] * cells[2]; }
 
@@ -60,13 +63,15 @@ class CellGrid {
   const std::vector<std::uint32_t>& starts() const { return starts_; }
 
   struct Range {
-    std::uint32_t first = 0;
-    std::uint32_t last = 0;
+    std::uint32_t first;
+    std::uint32_t last;
+    std::array<std::int8_t, 3> image;  ///< Periods to move its points by; 0 where the box is not periodic.
   };
 
-  /// The points that may lie within one cell edge of a point in `cell`: up to nine contiguous ranges.
+  /// The points that may lie within one cell edge of a point in `cell`: up to nine contiguous ranges, or each of 27
+  /// cells in a periodic box.
   struct Neighbourhood {
-    std::array<Range, 9> ranges;
+    std::array<Range, 27> ranges;
     int count = 0;
     std::size_t points = 0;
   };
@@ -74,6 +79,7 @@ class CellGrid {
 
  private:
   void countStarts();
+  Neighbourhood aroundPeriodic(const std::array<std::uint32_t, 3>& place) const;
 
   CellGeometry geometry_;
   std::vector<std::uint32_t> starts_;

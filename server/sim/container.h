@@ -21,12 +21,19 @@ struct Container {
   std::array<double, 3> size{};    ///< Of the box, m.
   /// Of a planar scene: where along z its particles are, m above the lower corner. Its walls are those in x and y.
   std::optional<double> plane;
+  /// What leaves at one side comes back at the other; there are no walls. Of experiments alone.
+  bool periodic = false;
 
   /// Its faces, about the same origin, where they are not those of the box alone.
   std::optional<solids::Enclosure> enclosure = std::nullopt;
 
   /// Directions that have walls: the first two or all three.
   std::size_t walledAxes() const { return plane ? 2 : 3; }
+
+  /// Its size along periodic axes, 0 along others, m.
+  std::array<double, 3> period() const {
+    return {periodic ? size[0] : 0, periodic ? size[1] : 0, periodic && !plane ? size[2] : 0};
+  }
 };
 
 /// Throws core::InputError where the container is narrower than two spacings, planes leave no room in it, or a planar

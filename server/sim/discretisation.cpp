@@ -18,6 +18,7 @@ Discretisation discretisationOf(const v1::Simulation& simulation) {
     d.support = simulation.cubic_spline().support_in_spacings() * d.spacing;
   }
   d.volume = particleVolume(d.kernel, d.spacing, d.support, d.dimensions);
+  d.viscosityScale = 1 / viscosityDeficit(d.kernel, d.spacing, d.support, d.dimensions);
   d.relaxationScale = std::min(1.0, pressureStiffness(KernelKind::CubicSpline, 1, 2, 3) /
                                         pressureStiffness(d.kernel, d.spacing, d.support, d.dimensions));
   return d;

@@ -16,6 +16,9 @@ struct Discretisation {
   /// more neighbours a particle has, the stiffer are all of them together against one alone.
   double relaxationScale = 1;
 
+  /// What viscosities are multiplied by to make up for the sums over pairs, see viscosityDeficit.
+  double viscosityScale = 1;
+
   double smoothingLength() const { return support / 2; }  ///< h, m.
 };
 

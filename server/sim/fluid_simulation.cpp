@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "experiment_state.h"
 #include "lattice.h"
 #include "memory_budget.h"
 #include "quality.h"
@@ -36,8 +37,16 @@ CellGeometry cellsOf(const Container& container, double support, double particle
   constexpr double kFewCells = 1 << 16;
   std::array<double, 3> size = container.size;
   if (container.plane) size[2] = support;
+  const std::array<double, 3> period = container.period();
   return CellGeometry::covering(size, support,
-                                static_cast<std::uint64_t>(std::max(kFewCells, kCellsPerParticle * particles)));
+                                static_cast<std::uint64_t>(std::max(kFewCells, kCellsPerParticle * particles)),
+                                {period[0] > 0, period[1] > 0, period[2] > 0});
+}
+
+Container checkedContainer(const v1::Simulation& settings, const SimulationOptions& options) {
+  Container container = containerOf(settings);
+  container.periodic = options.experiment && options.experiment->periodic;
+  return container;
 }
 
 /// How many boundary particles there will be, about. Throws where the container or a body needs more than memory
@@ -114,7 +123,7 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
       options_(options),
       team_(threadCount(options.threads)),
       mixture_(settings),
-      container_(containerOf(settings)),
+      container_(checkedContainer(settings, options)),
       discretisation_(discretisationOf(settings)),
       bodies_(bodies, container_, discretisation_, boundaryLayers(discretisation_)),
       boundary_(
@@ -130,17 +139,28 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
       affordableParticles_(affordableParticles(options, discretisation_)),
       population_(settings, container_, bodies_, discretisation_),
       grid_(boundary_.grid().geometry()),
-      lists_(options.loops != nullptr ? *options.loops : bestPairLoops(), PairScale(discretisation_)),
+      lists_(options.loops != nullptr ? *options.loops : bestPairLoops(),
+             PairScale(discretisation_, container_.period())),
       solver_(makePressureSolver(settings)),
       surfaceTension_(makeSurfaceTension(settings)) {
   checkPlanar(settings);
-  checkOverlaps(startAnew());
+  checkPeriod(container_, discretisation_.support);
+  const InitialState initial = startAnew();
+  if (!options_.experiment) checkOverlaps(initial);
 }
 
 void FluidSimulation::reset() { startAnew(); }
 
+InitialState FluidSimulation::beginning() const {
+  if (!options_.experiment) return initialState(settings_, container_, bodies_, affordableParticles_);
+  InitialState initial;
+  initial.particles = stateOf(*options_.experiment, container_);
+  initial.takenOut.resize(bodies_.size());
+  return initial;
+}
+
 InitialState FluidSimulation::startAnew() {
-  InitialState initial = initialState(settings_, container_, bodies_, affordableParticles_);
+  InitialState initial = beginning();
   state_ = std::move(initial.particles);
   takenOut_ = initial.takenOut;
   population_.reset(newParticle(), state_.size());
@@ -220,6 +240,28 @@ void FluidSimulation::checkOverlaps(const InitialState& initial) const {
   }
 }
 
+/// The wall's share in what each particle is pressed between, by sums of gradients: ½ against a flat wall. Empty where
+/// no particle is near a wall, or walls answer as fluid does.
+std::vector<float> FluidSimulation::wallShares() const {
+  if (!boundaryInReach_ || solver_->wallsMirrorPressure()) return {};
+  const std::vector<Float4> ones(state_.size(), {1, 1, 1, 1});
+  std::vector<Float4> ofFluid(state_.size());
+  std::vector<float> shares(state_.size());
+  // Σ V ∇W over one side of a lattice: half of what makes gradients of linear fields exact.
+  const auto fullSide = static_cast<float>(0.5 / discretisation_.spacing);
+  const auto norm = [](float x, float y, float z) { return std::sqrt(x * x + y * y + z * z); };
+  team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
+    lists_.loops().weightedGradient(lists_.chunk(chunk), ones.data(), ofFluid.data());
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+      const Float4& all = lists_.gradientSum()[i];
+      const Float4& fluid = ofFluid[i];
+      const float wall = norm(all.x - fluid.x, all.y - fluid.y, all.z - fluid.z);
+      shares[i] = wall / (wall + fullSide);
+    }
+  });
+  return shares;
+}
+
 std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   auto snapshot = std::make_unique<core::ParticleSnapshot>();
   snapshot->time = time_;
@@ -240,6 +282,9 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   // κ = p·dt/ρ_max: u = v − dt/ρ·∇p, see Mixture. Of the density solve, which is the one that carries gravity.
   const float pressureOfImpulse =
       lastStepSeconds_ > 0 ? static_cast<float>(mixture_.heaviest() / lastStepSeconds_) : 0.0F;
+  // Two particles push each other with κ_i + κ_j, twice the pressure; a wall answers with κ_i alone, so that particles
+  // beside it carry more than the pressure that is there.
+  const std::vector<float> wallShare = wallShares();
   const Eigen::Vector3f origin(static_cast<float>(container_.origin[0]), static_cast<float>(container_.origin[1]),
                                static_cast<float>(container_.origin[2]));
   team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
@@ -251,6 +296,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
       snapshot->densities[i] = restDensity[state_.fluid.empty() ? 0 : state_.fluid[i]] * lists_.density()[i];
       snapshot->pressures[i] = pressureOfImpulse * state_.densityImpulse[i];
       if (!state_.born.empty()) snapshot->ages[i] = static_cast<float>(time_ - state_.born[i]);
+      if (!wallShare.empty()) snapshot->pressures[i] /= 1 + wallShare[i];
     }
     lists_.countFluidNeighbours(chunk, snapshot->neighbours);
   });
@@ -292,7 +338,7 @@ core::Plan FluidSimulation::plan() const {
   };
   const std::uint64_t particles = state_.size();
   add("state, twice", bytesOf(state_) + bytesOf(previous_));
-  if (solver_->movesParticles()) add("state at the step's beginning", bytesOf(beginning_));
+  if (!beginning_.position.empty()) add("state at the step's beginning", bytesOf(beginning_));
   add("pairs and sums", lists_.bytes());
   add("pressure solve", solver_->bytes());
   add("viscosity", explicitViscosity_.bytes() + implicitViscosity_.bytes());

@@ -22,6 +22,7 @@
 #include "population.h"
 #include "pressure_solver.h"
 #include "sluice/core/particle_source.h"
+#include "sluice/sim/experiment.h"
 #include "sluice/sim/step_plan.h"
 #include "sluice/v1/scene.pb.h"
 #include "surface_tension.h"
@@ -40,6 +41,7 @@ struct SimulationOptions {
   /// show that leaving them out changes nothing.
   bool keepInertStages = false;
   std::uint64_t availableMemory = 0;  ///< Bytes; 0: what the machine can give.
+  std::shared_ptr<const Experiment> experiment = nullptr;  ///< What stands in for parts of the scene; null for nothing.
 };
 
 /// SPH in a closed box, around bodies. A step runs the stages of its StepPlan, no others; which they are follows from
@@ -82,10 +84,16 @@ class FluidSimulation : public core::ParticleSource {
 
  private:
   void checkOverlaps(const InitialState& initial) const;
+  InitialState beginning() const;
   InitialState startAnew();
   ParticleState newParticle() const;
   std::uint64_t mostParticles() const;
+  bool hasForceField() const { return options_.experiment && options_.experiment->acceleration; }
+  Eigen::Vector3d fieldAt(const Float4& position) const;
+  double largestAcceleration() const;
+  std::vector<float> wallShares() const;
   TimeStepInputs timeStepInputs() const;
+  TimeStepChoice chooseLength() const;
   StepTraits traits() const;
   StepPlan currentPlan() const;
   StepContext beginStep();
@@ -94,6 +102,7 @@ class FluidSimulation : public core::ParticleSource {
   void run(Stage stage, StepContext& step);
   void acceptLength(StepContext& step) const;
   void applyGravity(const StepContext& step);
+  void applyField(const StepContext& step);
   void move(StepContext& step);
   void emit(StepContext& step);
   double endOfStep() const { return reachesStop_ ? stop_ : time_ + stepSeconds_; }
@@ -127,10 +136,12 @@ class FluidSimulation : public core::ParticleSource {
   ParticleState state_;
   /// The state before the last sort, whose k-th particle is now grid_.order()'s: what a step is taken back to.
   ParticleState previous_;
-  /// The state at the step's beginning, where the solver still moves particles after they are sorted.
+  /// The state at the step's beginning, where previous_ is not: where the solver still moves particles after they are
+  /// sorted, and where the step before has not sorted them.
   ParticleState beginning_;
   PopulationState populationBefore_;  ///< At the step's beginning, likewise.
   bool sortedInStep_ = false;
+  bool keepsBeginning_ = false;
   CellGrid grid_;
   NeighbourLists lists_;
   FreeFlight freeFlight_;

@@ -61,8 +61,6 @@ std::string reasonToHalt(double time, double shortest, const std::string& troubl
   return message.str();
 }
 
-double norm(const v1::Vec3& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()); }
-
 }  // namespace
 
 TimeStepInputs FluidSimulation::timeStepInputs() const {
@@ -70,8 +68,8 @@ TimeStepInputs FluidSimulation::timeStepInputs() const {
   return {.spacing = discretisation_.spacing,
           .support = discretisation_.support,
           .maxSpeed = std::max(maxSpeed_, movingBodies_.largestSpeed(time_, settings_.time_step().max_seconds())),
-          .acceleration = std::max(norm(settings_.gravity()), pressureAcceleration_),
-          .viscosity = mixture_.largestViscosity(),
+          .acceleration = std::max(largestAcceleration(), pressureAcceleration_),
+          .viscosity = discretisation_.viscosityScale * mixture_.largestViscosity(),
           .kinematicTension = tension / mixture_.lightest(),
           .speedOfSound = solver_->speedOfSound(),
           .courant = settings_.wcsph().courant(),
@@ -79,16 +77,28 @@ TimeStepInputs FluidSimulation::timeStepInputs() const {
           .recovery = recoverySeconds_};
 }
 
+TimeStepChoice FluidSimulation::chooseLength() const {
+  TimeStepChoice choice = chooseTimeStep(settings_.time_step(), timeStepInputs());
+  const double forced = options_.experiment ? options_.experiment->forcedStep : 0;
+  if (forced > 0) {
+    choice.seconds = std::min(forced, recoverySeconds_);
+    choice.limit = choice.seconds < forced ? "recovery" : "experiment";
+  }
+  return choice;
+}
+
 StepTraits FluidSimulation::traits() const {
-  const TimeStepChoice length = chooseTimeStep(settings_.time_step(), timeStepInputs());
+  const TimeStepChoice length = chooseLength();
   return {.particles = state_.size(),
           .boundaryInReach = boundaryInReach_,
           // Particles that come or go change the pairs.
           .freeFlight = !boundaryInReach_ && !bodiesInReach_ && !population_.changes() &&
+                        !hasForceField() && !container_.periodic &&
                         freeFlight_.covers(state_.velocity, length.seconds, team_),
           .bodiesMove = movingBodies_.anyMoves(),
           .bodiesRub = movingBodies_.anyRubs(),
           .bodiesInReach = bodiesInReach_,
+          .forceField = hasForceField(),
           .implicitViscosity = length.implicitViscosity,
           .emitting = population_.emitting(time_)};
 }
@@ -106,6 +116,7 @@ StepPlan FluidSimulation::currentPlan() const {
                          .bodiesMove = present.bodiesMove,
                          .bodiesRub = present.bodiesRub,
                          .bodiesInReach = present.bodiesInReach,
+                         .forceField = present.forceField,
                          .implicitViscosity = present.implicitViscosity,
                          .emitting = present.emitting});
 }
@@ -122,13 +133,14 @@ bool FluidSimulation::advance() {
 StepContext FluidSimulation::beginStep() {
   statistics_.stages.clear();
   statistics_.densityIterations = statistics_.divergenceIterations = statistics_.viscosityIterations = 0;
+  keepsBeginning_ = solver_->movesParticles() || !sortedInStep_;
   sortedInStep_ = false;
-  if (solver_->movesParticles()) {
+  if (keepsBeginning_) {
     beginning_ = state_;
     populationBefore_ = population_.state();
   }
   findBoundaryInReach();
-  length_ = chooseTimeStep(settings_.time_step(), timeStepInputs());
+  length_ = chooseLength();
   shortenToStop();
   bodiesBefore_ = movingBodies_.state();
   movingBodies_.drive(time_, stepSeconds_);
@@ -249,19 +261,6 @@ void FluidSimulation::acceptLength(StepContext& step) const {
   step.trouble = text.str();
 }
 
-void FluidSimulation::applyGravity(const StepContext& step) {
-  const auto change = [&](double g) { return static_cast<float>(g * step.seconds); };
-  movingBodies_.accelerate(step.seconds *
-                           Eigen::Vector3d(settings_.gravity().x(), settings_.gravity().y(), settings_.gravity().z()));
-  const Float4 dv{change(settings_.gravity().x()), change(settings_.gravity().y()), change(settings_.gravity().z()), 0};
-  team_.forEachChunk(state_.size(), [&](const Chunk& chunk) {
-    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-      Float4& v = state_.velocity[i];
-      v = {v.x + dv.x, v.y + dv.y, v.z + dv.z, 0};
-    }
-  });
-}
-
 void FluidSimulation::updateMovingBoundary(StepContext& step) {
   if (step.bodies == nullptr) return;
   movingBoundary_.update(movingBodies_, boundary_, team_);
@@ -320,9 +319,10 @@ void FluidSimulation::findNeighbours() {
 
 void FluidSimulation::takeBack() {
   if (!movingBodies_.empty()) movingBodies_.restore(bodiesBefore_);
-  if (sortedInStep_) {
+  if (keepsBeginning_) {
     state_ = beginning_;
     population_.takeBack(populationBefore_);
+    if (!sortedInStep_) return;
     sort();
     lists_.find(grid_, state_.position, team_);
     lists_.addBoundary(boundary_, grid_, state_.position, team_);
@@ -352,6 +352,10 @@ void FluidSimulation::measureCompression() {
 }
 
 void FluidSimulation::findBoundaryInReach() {
+  if (container_.periodic) {
+    boundaryInReach_ = false;
+    return;
+  }
   const double reach = discretisation_.support + kLargestMove * discretisation_.spacing;
   const auto near = team_.sumOverChunks<Count>(state_.size(), [&](const Chunk& chunk) {
     Count part;

@@ -44,6 +44,34 @@ double halfSpaceDensity(KernelKind kernel, double spacing, double support, int d
   return latticeSum(kernel, spacing, support, dimensions, 0) / latticeDensity(kernel, spacing, support, dimensions);
 }
 
+double viscosityDeficit(KernelKind kernel, double spacing, double support, int dimensions) {
+  constexpr int kOffsets = 16;
+  return withKernel(kernel, [&]<class Kernel>(Kernel) {
+    const int reach = static_cast<int>(std::ceil(support / spacing)) + 1;
+    const int reachInZ = dimensions == 2 ? 0 : reach;
+    double sum = 0;
+    for (int offset = 0; offset < kOffsets; ++offset) {
+      const double slid = (offset + 0.5) / kOffsets;
+      for (int z = -reachInZ; z <= reachInZ; ++z) {
+        for (int y = -reach; y <= reach; ++y) {
+          for (int x = -2 * reach; x <= 2 * reach; ++x) {
+            // Rows beside one another slide by as much against each other.
+            const double dx = spacing * (x + slid * y);
+            const double dy = spacing * y;
+            const double dz = spacing * z;
+            const double square = dx * dx + dy * dy + dz * dz;
+            const double distance = std::sqrt(square);
+            if (distance == 0 || distance >= support) continue;
+            const double slope = -kernelSlope<Kernel>(distance, support, dimensions) / distance;
+            sum += dx * dx * dy * dy * slope / (square + 0.01 * support * support);
+          }
+        }
+      }
+    }
+    return (dimensions + 2) * particleVolume(kernel, spacing, support, dimensions) * sum / kOffsets;
+  });
+}
+
 double pressureStiffness(KernelKind kernel, double spacing, double support, int dimensions) {
   using Vector = std::array<double, 3>;
   struct Neighbour {

@@ -17,14 +17,19 @@ class CandidateBuffer {
  public:
   /// Copies the points of a neighbourhood; `extra(slot, point)` fills in what else is wanted.
   template <class Extra>
-  void gather(const CellGrid::Neighbourhood& around, const std::vector<Float4>& points, Extra&& extra) {
+  void gather(const CellGrid::Neighbourhood& around, const std::vector<Float4>& points, const Float4& period,
+              Extra&& extra) {
     reserve(around.points);
     count_ = 0;
     for (std::size_t r = 0; r < static_cast<std::size_t>(around.count); ++r) {
-      for (std::uint32_t j = around.ranges[r].first; j < around.ranges[r].last; ++j, ++count_) {
-        x_[count_] = points[j].x;
-        y_[count_] = points[j].y;
-        z_[count_] = points[j].z;
+      const CellGrid::Range& range = around.ranges[r];
+      const float x = range.image[0] * period.x;
+      const float y = range.image[1] * period.y;
+      const float z = range.image[2] * period.z;
+      for (std::uint32_t j = range.first; j < range.last; ++j, ++count_) {
+        x_[count_] = points[j].x + x;
+        y_[count_] = points[j].y + y;
+        z_[count_] = points[j].z + z;
         extra(count_, j);
       }
     }
@@ -95,7 +100,8 @@ void NeighbourLists::find(const CellGrid& grid, const std::vector<Float4>& posit
     if (groups.empty()) groups.resize(kUsualGroups * (chunk.last - chunk.first));
     std::size_t used = 0;
     forEachCell(chunk, grid.cellOfSorted(), [&](std::uint32_t cell, std::uint32_t first, std::uint32_t last) {
-      buffer.gather(grid.around(cell), positions, [&](std::size_t slot, std::uint32_t j) { buffer.setIndex(slot, j); });
+      buffer.gather(grid.around(cell), positions, scale_.period,
+                    [&](std::size_t slot, std::uint32_t j) { buffer.setIndex(slot, j); });
       const Candidates candidates = buffer.view();
       // Particle by particle, because the room that all of a cell might need is a multiple of what they do need.
       const std::size_t room = candidates.count / 4 + 5;
@@ -120,7 +126,7 @@ void NeighbourLists::addBoundary(const Boundary& boundary, const CellGrid& grid,
     forEachCell(chunk, grid.cellOfSorted(), [&](std::uint32_t cell, std::uint32_t first, std::uint32_t last) {
       const CellGrid::Neighbourhood around = boundary.grid().around(cell);
       if (around.points == 0) return;
-      buffer.gather(around, boundary.points(),
+      buffer.gather(around, boundary.points(), scale_.period,
                     [&](std::size_t slot, std::uint32_t b) { buffer.setVolume(slot, boundary.volumes()[b]); });
       loops_->addBoundary(scale_, buffer.view(), positions.data(), first, last, sums());
     });

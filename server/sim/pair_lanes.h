@@ -47,6 +47,18 @@ SLUICE_INLINE Lanes cross(Lanes a, Lanes b) {
   return rotate(a * rotate(b) - rotate(a) * b);
 }
 
+/// Differences of positions, each to the nearest image of the other particle where the box is periodic.
+SLUICE_INLINE Lanes toNearestImage(Lanes difference, const PairScale& scale) {
+  if (!scale.periodic) return difference;
+  const Lanes4 length = load<Lanes4>(&scale.period);
+  const Lanes4 half = load<Lanes4>(&scale.halfPeriod);
+  const Lanes period = join(length, length, length, length);
+  const Lanes farthest = join(half, half, half, half);
+  difference -= difference > farthest ? period : Lanes{};
+  difference += difference < -farthest ? period : Lanes{};
+  return difference;
+}
+
 /// v with 0 in the fourth lane of each pair.
 SLUICE_INLINE Lanes withoutFourth(Lanes v) {
   const Ints kept{-1, -1, -1, 0, -1, -1, -1, 0, -1, -1, -1, 0, -1, -1, -1, 0};

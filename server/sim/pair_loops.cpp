@@ -4,7 +4,12 @@
 
 namespace sluice::sim {
 
-PairScale::PairScale(const Discretisation& discretisation) : kernel(discretisation.kernel) {
+PairScale::PairScale(const Discretisation& discretisation, const std::array<double, 3>& size)
+    : kernel(discretisation.kernel),
+      periodic(size != std::array<double, 3>{}),
+      period{static_cast<float>(size[0]), static_cast<float>(size[1]), static_cast<float>(size[2]), 0} {
+  const auto half = [](float length) { return length > 0 ? length / 2 : std::numeric_limits<float>::infinity(); };
+  halfPeriod = {half(period.x), half(period.y), half(period.z), half(0)};
   const double supportRadius = discretisation.support;
   const double volume = discretisation.volume;
   withKernel(kernel, [&]<class Kernel>(Kernel) {

@@ -29,7 +29,8 @@ static_assert(sizeof(PairGroup) == 48);
 /// Constants of a kernel, support and particle volume.
 struct PairScale {
   PairScale() = default;
-  explicit PairScale(const Discretisation& discretisation);
+  /// `period` is the size of a periodic box, 0 along axes that are not periodic, m.
+  explicit PairScale(const Discretisation& discretisation, const std::array<double, 3>& period = {});
 
   KernelKind kernel = KernelKind::CubicSpline;
   float support = 0;         ///< H, m.
@@ -37,6 +38,9 @@ struct PairScale {
   float slope = 0;           ///< V k/H: V dW/dr is this times f'(q), 1/m.
   float quantum = 0;         ///< Unit of the integer gradients, 1/m.
   float inverseQuantum = 0;  ///< m.
+  bool periodic = false;
+  Float4 period;      ///< m; 0 along axes that are not periodic.
+  Float4 halfPeriod;  ///< m; infinite along them.
 };
 
 /// Candidates for the neighbours of all particles of one cell, as structure of arrays. Padded with points far away to

@@ -29,6 +29,10 @@ class PressureSolver {
   /// Its stages change positions after the particles have moved.
   virtual bool movesParticles() const { return false; }
 
+  /// A wall pushes a particle back with its pressure twice, as fluid of the same pressure would; otherwise once, and a
+  /// particle beside it carries more for that.
+  virtual bool wallsMirrorPressure() const { return false; }
+
   /// Memory that it holds besides the particles' state, bytes.
   virtual std::uint64_t bytes() const = 0;
 };

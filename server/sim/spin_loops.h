@@ -28,7 +28,7 @@ SLUICE_INLINE void exchangeSpinOf(const PairList& list, const PairScale& scale, 
       const Lanes wj = ofNeighbours(spin, *group);
       push += cross(w4 + wj, gradient);
       curl += cross(v4 - ofNeighbours(velocity, *group), gradient);
-      const Lanes xij = x4 - ofNeighbours(position, *group);
+      const Lanes xij = toNearestImage(x4 - ofNeighbours(position, *group), scale);
       difference += Kernel::value(squareRoot(sumWithinQuarters(xij * xij)) * inverseSupport) * (w4 - wj);
     }
     store(velocityResult + i, vi - sumQuarters(push) * (exchange.transfer * list.quantum));

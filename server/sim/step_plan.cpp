@@ -142,7 +142,7 @@ std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation,
       if (std::ranges::none_of(simulation.fluids(), isViscous)) return "the viscosity is 0";
       break;
     case Stage::Gravity:
-      if (isZero(simulation.gravity())) return "gravity is 0";
+      if (isZero(simulation.gravity()) && !traits.forceField) return "gravity is 0";
       break;
     case Stage::BodyFriction:
       if (!traits.bodiesRub) return "no body has friction";

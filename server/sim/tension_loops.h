@@ -24,7 +24,7 @@ void cohere(const PairList& list, const PairScale& scale, const Cohesion& cohesi
     Lanes sum{};
     for (const PairGroup* end = group + list.groupCount[i]; group != end; ++group) {
       const Lanes xj = ofNeighbours(positionAndDensity, *group);
-      const Lanes xij = withoutFourth(x4 - xj);
+      const Lanes xij = toNearestImage(withoutFourth(x4 - xj), scale);
       const Lanes distance = squareRoot(sumWithinQuarters(xij * xij));
       const Lanes q = distance * inverseSupport;
       const Lanes cubes = positivePart(1.0F - q) * q;

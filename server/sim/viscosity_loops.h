@@ -22,7 +22,7 @@ SLUICE_INLINE void applyViscosityOf(const PairList& list, const PairScale& scale
     if constexpr (kSeveral) strength = friction.strength[friction.fluid[i]].data();
     Lanes sum{};
     for (const PairGroup* end = group + list.groupCount[i]; group != end; ++group) {
-      const Lanes xij = x4 - ofNeighbours(position, *group);
+      const Lanes xij = toNearestImage(x4 - ofNeighbours(position, *group), scale);
       Lanes approach = sumWithinQuarters((v4 - ofNeighbours(velocity, *group)) * gradients(*group));
       if constexpr (kSeveral) approach *= byFluid(friction.fluid, strength, *group);
       sum += approach / (sumWithinQuarters(xij * xij) + softening) * xij;
@@ -51,7 +51,7 @@ void viscosityBlocks(const PairList& list, const PairScale& scale, const PairStr
     const float* felt = strength.strength[several ? strength.fluid[i] : 0].data();
     Lanes sums[3]{};
     for (const PairGroup* end = group + list.groupCount[i]; group != end; ++group) {
-      const Lanes xij = x4 - ofNeighbours(position, *group);
+      const Lanes xij = toNearestImage(x4 - ofNeighbours(position, *group), scale);
       const Lanes share = several ? byFluid(strength.fluid, felt, *group) : splat(*felt);
       const Lanes scaled = share / (sumWithinQuarters(xij * xij) + softening) * xij;
       const Lanes gradient = gradients(*group);
@@ -76,7 +76,7 @@ void diffuse(const PairList& list, const PairScale& scale, const PairStrength& s
     const float* felt = strength.strength[several ? strength.fluid[i] : 0].data();
     Lanes sum{};
     for (const PairGroup* end = group + list.groupCount[i]; group != end; ++group) {
-      const Lanes difference = x4 - ofNeighbours(positionAndValue, *group);
+      const Lanes difference = toNearestImage(x4 - ofNeighbours(positionAndValue, *group), scale);
       const Lanes xij = withoutFourth(difference);
       Lanes share = sumWithinQuarters(xij * gradients(*group)) / (sumWithinQuarters(xij * xij) + softening);
       if (several) share *= byFluid(strength.fluid, felt, *group);

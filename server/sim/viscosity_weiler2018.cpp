@@ -65,7 +65,8 @@ void ImplicitViscosity::apply(const v1::ImplicitViscosity& settings, StepContext
   for (const double density : step.mixture.restDensities()) {
     mass_.push_back(static_cast<float>(density / step.mixture.heaviest()));
   }
-  const PairStrength friction = step.mixture.friction(step.state.fluid, step.seconds);
+  const PairStrength friction =
+      step.mixture.friction(step.state.fluid, step.discretisation.viscosityScale * step.seconds);
   // Against the friction: the loop's v_i + Σ … then is v_i - dt a_i, the product with the system's matrix.
   const PairStrength resistance = negated(friction);
   invertBlocks(friction, step);

@@ -28,6 +28,9 @@ class Walls {
         geometry_(geometry),
         nearCells_(bodies.nearCells(geometry)),
         clearance_(kHoldingDistance * static_cast<float>(spacing)),
+        periodic_(container.periodic),
+        period_{static_cast<float>(container.period()[0]), static_cast<float>(container.period()[1]),
+                static_cast<float>(container.period()[2])},
         enclosure_(container.enclosure),
         high_{static_cast<float>(container.size[0]) - clearance_, static_cast<float>(container.size[1]) - clearance_,
               static_cast<float>(container.size[2]) - clearance_} {}
@@ -55,9 +58,14 @@ class Walls {
     return hold(x, v);
   }
 
-  /// Holds a particle inside the faces, without the part of its velocity that leads out. Returns whether it had to.
+  /// Holds a particle inside the faces, without the part of its velocity that leads out. Returns whether it had to. In
+  /// a periodic box, lets it come in again at the other side.
   bool hold(Float4& x, Float4& v) const {
     if (enclosure_) return holdInside(x, v);
+    if (periodic_) {
+      wrap(x);
+      return false;
+    }
     const bool heldX = hold(x.x, v.x, high_[0]);
     const bool heldY = hold(x.y, v.y, high_[1]);
     const bool heldZ = hold(x.z, v.z, high_[2]);
@@ -74,11 +82,23 @@ class Walls {
 
   bool holdInside(Float4& x, Float4& v) const;
 
+  /// A move is shorter than a period.
+  void wrap(Float4& x) const {
+    const auto inside = [](float place, float length) {
+      return place < 0 ? place + length : place >= length ? place - length : place;
+    };
+    x.x = inside(x.x, period_[0]);
+    x.y = inside(x.y, period_[1]);
+    if (period_[2] > 0) x.z = inside(x.z, period_[2]);
+  }
+
   const Bodies* bodies_;
   const MovingBodies* moving_;  ///< Null where there are none.
   CellGeometry geometry_;
   std::vector<BodySet> nearCells_;  ///< Of each cell; empty where there are no bodies.
   float clearance_;
+  bool periodic_;
+  std::array<float, 3> period_;
   std::optional<solids::Enclosure> enclosure_;  ///< The container's, where it is no plain box.
   std::array<float, 3> high_;
 };

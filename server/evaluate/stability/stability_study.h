@@ -7,7 +7,8 @@
 
 namespace sluice::evaluate {
 
-/// Cases that are made to break what they test. Every row has case, method, strength, outcome, largest, limit, passed.
+/// Cases that are made to break what they test. Rows of smoothing have case, method, strength, outcome, largest, limit,
+/// passed; of solvers see toRow in solver_outcome.h and stepLimits.
 std::vector<std::string> stabilityParts();
 Report runStabilityStudy(const Options& options);
 

@@ -76,6 +76,52 @@ TEST(Trouble, HaltNamesTheBoundThatDemandsTooShortAStep) {
   EXPECT_EQ(simulation.time(), 0);
 }
 
+/// A step that fails before anything has moved, after some that went well, leaves the state as it was.
+void expectStateKept(v1::Simulation settings) {
+  FluidSimulation simulation(settings);
+  for (int step = 0; step < 10; ++step) ASSERT_TRUE(simulation.advance());
+  ASSERT_LT(simulation.statistics().timeStepSeconds, 0.01);
+  const ParticleState good = simulation.state();
+  settings.mutable_time_step()->set_max_seconds(0.1);
+  settings.mutable_time_step()->set_min_seconds(0.1);
+  simulation.update(sceneOf(settings));
+  ASSERT_FALSE(simulation.advance());
+  EXPECT_TRUE(simulation.state() == good);
+}
+
+TEST(Trouble, AStepThatFailsBeforeTheMoveLeavesEverySolversState) {
+  v1::Simulation settings = collision(5);
+  {
+    SCOPED_TRACE("dfsph");
+    settings.mutable_dfsph()->set_max_iterations(100);
+    expectStateKept(settings);
+  }
+  {
+    SCOPED_TRACE("iisph");
+    settings.mutable_iisph();
+    expectStateKept(settings);
+  }
+  {
+    SCOPED_TRACE("pbf");
+    settings.mutable_pbf();
+    expectStateKept(settings);
+  }
+  {
+    SCOPED_TRACE("wcsph");
+    settings.mutable_wcsph();
+    expectStateKept(settings);
+  }
+}
+
+TEST(Trouble, AStepThatFailsInFreeFlightLeavesTheState) {
+  v1::Simulation settings = floatingCube(1);
+  settings.mutable_gravity()->set_y(-9.81);
+  *settings.mutable_fluids(0)->add_blocks() = settings.fluids(0).blocks(0);
+  settings.mutable_fluids(0)->mutable_blocks(1)->mutable_first_particle()->set_x(-1);
+  settings.mutable_fluids(0)->mutable_blocks(1)->mutable_velocity()->set_y(8);
+  expectStateKept(settings);
+}
+
 TEST(Trouble, AnUpdateLetsAHaltedSimulationTryAgain) {
   v1::Simulation settings = collision(100);
   settings.mutable_time_step()->set_min_seconds(1e-3);

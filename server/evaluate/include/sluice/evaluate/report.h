@@ -24,6 +24,8 @@ class Row {
   /// Sets a value, at the end where the key is new.
   void set(std::string_view key, Value value);
 
+  void erase(std::string_view key);
+
   /// Null where there is no such key.
   const Value* find(std::string_view key) const;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -19,6 +20,9 @@ struct Options {
   std::string particles;                 ///< A particle file to study beside the made cases; empty for none.
   std::vector<std::string> assignments;  ///< "look.liquid.opaque=true", as with --set.
   std::uint64_t seed = 1;
+  int threads = 0;               ///< Of simulations; 0: one for each core.
+  std::filesystem::path folder;  ///< An existing folder that long studies keep what they have done in; empty: nowhere.
+  bool resume = false;           ///< Go on with what an earlier study of the same options has left there.
   std::function<void(const std::string&)> progress;  ///< Is told each part as it begins; may be empty.
 
   void tell(const std::string& text) const {

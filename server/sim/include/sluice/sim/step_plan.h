@@ -45,6 +45,8 @@ struct StepTraits {
   bool bodiesMove = false;     ///< A body floats or is driven.
   bool bodiesRub = false;      ///< A body has friction.
   bool bodiesInReach = false;  ///< A particle may come within the support radius of one of these.
+  /// A field of force acts besides gravity.
+  bool forceField = false;
   /// The step is longer than explicit viscosity is stable in.
   bool implicitViscosity = false;
   /// An emitter may give particles in this step, or has a layer on its way.

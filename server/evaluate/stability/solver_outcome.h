@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sluice/core/particle_source.h"
+#include "sluice/evaluate/report.h"
+#include "sluice/sim/experiment.h"
+#include "solvers/method.h"
+
+namespace sluice::evaluate {
+
+/// What became of a simulation.
+enum class Fate {
+  Stable,
+  Recovered,  ///< By shorter steps than the first that was tried.
+  Stopped,    ///< With a message, its last good state kept.
+  Refused,    ///< Before it began, with a message.
+  Bursts,     ///< Faster than what drives it can make it.
+  NotFinite,  ///< Never right.
+};
+
+struct SolverOutcome {
+  Fate fate = Fate::Stable;
+  std::string message;      ///< Of a simulation that stopped or was refused.
+  double fastest = 0;       ///< Largest speed of any particle, m/s.
+  double compression = 0;   ///< Largest compression of any particle.
+  double iterations = 0;    ///< Of the pressure solves, a step.
+  double shortestStep = 0;  ///< s.
+
+  std::string text() const;  ///< "stable", "recovered by smaller steps", "stopped: …".
+};
+
+/// What a solver is given: a scene, and an experiment unless it has none.
+struct Trial {
+  v1::Simulation simulation;
+  sim::Experiment experiment;
+  bool isExperiment = true;
+  int steps = 100;
+  /// Speed that nothing in it can have unless it bursts, m/s.
+  double speedLimit = 1e30;
+  std::function<void(core::ParticleSource&)> halfWay = {};  ///< Called after half of the steps.
+};
+
+SolverOutcome attempt(Trial trial, const Method& method, int threads);
+
+/// case, solver, outcome, fastest, compression, iterations_per_step, shortest_step, value, limit, passed.
+Row toRow(const std::string& caseName, const std::string& solver, const SolverOutcome& outcome, bool passed);
+
+}  // namespace sluice::evaluate
