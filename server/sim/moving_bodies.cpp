@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "driven_motion.h"
 #include "sluice/core/check.h"
 #include "sluice/core/input_error.h"
 #include "sluice/scene/convert.h"
@@ -28,42 +29,9 @@ constexpr double kInsetClearance = 0.3;
 
 Vector3d toVector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-Quaterniond turnedBy(const Vector3d& axisTimesAngle) {
-  const double angle = axisTimesAngle.norm();
-  return angle > 0 ? Quaterniond(AngleAxisd(angle, axisTimesAngle / angle)) : Quaterniond::Identity();
-}
-
-/// Shortest rotation vector of a rotation.
-Vector3d rotationVector(const Quaterniond& q) {
-  const AngleAxisd turn(q.w() < 0 ? Quaterniond(-q.coeffs()) : q);
-  return turn.angle() * turn.axis();
-}
-
-/// How a driven motion grows: smoothly from 0 to 1 within the ramp.
-double grown(double since, double ramp) {
-  if (since <= 0) return 0;
-  const double s = ramp > 0 ? std::min(since / ramp, 1.0) : 1;
-  return s * s * (3 - 2 * s);
-}
-
-/// Its integral over time, s.
-double grownTime(double since, double ramp) {
-  if (since <= 0) return 0;
-  if (since >= ramp) return since - 0.5 * ramp;
-  const double s = since / ramp;
-  return ramp * (s * s * s - 0.5 * s * s * s * s);
-}
-
-bool isZero(const v1::Vec3& v) { return v.x() == 0 && v.y() == 0 && v.z() == 0; }
-
-bool isDriven(const v1::Body& body) {
-  const v1::Driven& d = body.driven();
-  return body.has_driven() && !(isZero(d.velocity()) && isZero(d.spin()) && isZero(d.sway()) && isZero(d.rock()));
-}
-
 }  // namespace
 
-bool feltAsMoving(const v1::Body& body) { return isDriven(body) || body.has_floating() || body.friction() > 0; }
+bool feltAsMoving(const v1::Body& body) { return moves(body) || body.has_floating() || body.friction() > 0; }
 
 BodySums& BodySums::operator+=(const BodySums& other) {
   if (ofBody.empty()) ofBody.resize(other.ofBody.size(), Vector6d::Zero());
@@ -80,7 +48,7 @@ MovingBodies::MovingBodies(const Bodies::List& bodies, const Container& containe
     const Isometry3d pose = scene::toPose(settings).cast<double>();
     scenePoses_.push_back({pose.translation().cast<float>(), Eigen::Quaternionf(pose.rotation().cast<float>())});
     const bool floats = settings.has_floating() && settings.solid();
-    if (!(settings.solid() ? feltAsMoving(settings) : isDriven(settings))) continue;
+    if (!(settings.solid() ? feltAsMoving(settings) : moves(settings))) continue;
     const std::string path = "bodies[" + std::to_string(k) + "]";
     Moving moving{{solids::makeBodyShape(settings, path), settings.has_glass(), startingPose(settings)},
                   {},
@@ -108,7 +76,7 @@ MovingBodies::MovingBodies(const Bodies::List& bodies, const Container& containe
       moving.radius = std::max(moving.radius, (x - moving.centreOfMass).norm());
     }
     anyFloats_ = anyFloats_ || floats;
-    anyMoves_ = anyMoves_ || floats || isDriven(settings);
+    anyMoves_ = anyMoves_ || floats || moves(settings);
     anyRubs_ = anyRubs_ || (moving.holdsFluid && moving.friction > 0);
     bodies_.push_back(std::move(moving));
   }
@@ -164,28 +132,14 @@ void MovingBodies::place(std::size_t k) {
   moving.body.moveTo(pose);
 }
 
-Isometry3d MovingBodies::drivenPose(const Moving& body, double time) const {
-  const v1::Driven& driven = body.settings.driven();
-  const double since = time - driven.start_seconds();
-  const double steady = grownTime(since, driven.ramp_seconds());
-  const double swing = grown(since, driven.ramp_seconds()) *
-                       std::sin(2 * std::numbers::pi * std::max(since, 0.0) / driven.period_seconds());
-  const Isometry3d start = startingPose(body.settings);
-  Isometry3d pose = Isometry3d::Identity();
-  pose.translate(start.translation() + steady * scene::toVector(driven.velocity()) +
-                 swing * scene::toVector(driven.sway()));
-  pose.rotate(turnedBy(swing * kDegree * scene::toVector(driven.rock())) *
-              turnedBy(steady * kDegree * scene::toVector(driven.spin())) * Quaterniond(start.rotation()));
-  return pose;
+Isometry3d MovingBodies::wayOf(const Moving& body, double time) const {
+  return drivenPose(body.settings.driven(), startingPose(body.settings), time);
 }
 
 void MovingBodies::drive(double time, double seconds) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     if (!bodies_[k].settings.has_driven()) continue;
-    const Isometry3d from = drivenPose(bodies_[k], time);
-    const Isometry3d to = drivenPose(bodies_[k], time + seconds);
-    state_[k].twist << (to.translation() - from.translation()) / seconds,
-        rotationVector(Quaterniond(to.rotation() * from.rotation().transpose())) / seconds;
+    state_[k].twist = twistBetween(wayOf(bodies_[k], time), wayOf(bodies_[k], time + seconds), seconds);
   }
 }
 
@@ -200,7 +154,7 @@ void MovingBodies::advance(double time, double seconds) {
   if (world_) world_->step(state_, seconds);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     if (bodies_[k].settings.has_driven()) {
-      const Isometry3d pose = drivenPose(bodies_[k], time + seconds);
+      const Isometry3d pose = wayOf(bodies_[k], time + seconds);
       state_[k].position = pose.translation();
       state_[k].rotation = Quaterniond(pose.rotation()).normalized();
     }
@@ -217,15 +171,7 @@ double MovingBodies::largestSpeed(double time, double seconds) const {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Moving& moving = bodies_[k];
     if (moving.settings.has_driven()) {
-      const v1::Driven& driven = moving.settings.driven();
-      if (time + seconds < driven.start_seconds()) continue;
-      const double swing = 2 * std::numbers::pi / driven.period_seconds() +
-                           (driven.ramp_seconds() > 0 ? 1.5 / driven.ramp_seconds() : 0);
-      const auto speed = [&](const v1::Vec3& steady, const v1::Vec3& swung) {
-        return scene::toVector(steady).norm() + swing * scene::toVector(swung).norm();
-      };
-      largest = std::max(largest, speed(driven.velocity(), driven.sway()) +
-                                      kDegree * speed(driven.spin(), driven.rock()) * moving.radius);
+      largest = std::max(largest, drivenSpeed(moving.settings.driven(), moving.radius, time + seconds));
     } else {
       largest = std::max(largest, state_[k].twist.head<3>().norm() + state_[k].twist.tail<3>().norm() * moving.radius);
     }

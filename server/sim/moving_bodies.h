@@ -116,7 +116,7 @@ class MovingBodies {
     double radius = 0;                                       ///< Of a ball about the centre of mass around it.
   };
 
-  Eigen::Isometry3d drivenPose(const Moving& body, double time) const;
+  Eigen::Isometry3d wayOf(const Moving& body, double time) const;
   Eigen::Isometry3d startingPose(const v1::Body& body) const;
   void place(std::size_t k);
 
