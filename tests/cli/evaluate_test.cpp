@@ -175,7 +175,7 @@ TEST_F(Evaluate, StabilityFailsWhereACaseDoes) {
 TEST_F(Evaluate, UnknownNamesAreRefused) {
   const Outcome study = evaluate({"smothing"});
   EXPECT_EQ(study.exitCode, 2);
-  EXPECT_THAT(study.err, AllOf(HasSubstr("smothing"), HasSubstr("smoothing, stability")));
+  EXPECT_THAT(study.err, AllOf(HasSubstr("smothing"), HasSubstr("smoothing, solvers, stability")));
   const Outcome part = evaluate({"stability", "--only", "smothing"});
   EXPECT_EQ(part.exitCode, 2);
   EXPECT_THAT(part.err, AllOf(HasSubstr("--only"), HasSubstr("smoothing")));
