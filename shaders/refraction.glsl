@@ -30,7 +30,11 @@ bool isBehind(float z, vec2 slope) {
                   texture(sceneDepth, at + vec2(beside.x, -beside.y)).r,
                   texture(sceneDepth, at + vec2(-beside.x, beside.y)).r));
   float nearest = max(max(q.x, q.y), max(q.z, q.w));
-  return nearest * z < 1.0 || nearest < 1.02 * floorInverseDepth(slope);
+  // Of all these places, the floor is nearest in one of the corners: its inverse depth is linear over the picture.
+  vec2 step = 4.0 / vec2(textureSize(sceneDepth, 0)) * frame.pictureSlopes.xy;
+  float rise = abs(toWorldDirection(vec3(step.x, 0.0, 0.0)).y) + abs(toWorldDirection(vec3(0.0, step.y, 0.0)).y);
+  float floorNear = 1.02 * floorInverseDepth(slope) + rise / abs(frame.floorAndHaze.x - frame.eye.y);
+  return nearest * z < 1.0 || nearest < floorNear;
 #else
   return true;
 #endif

@@ -117,11 +117,12 @@ Boundary::Boundary(const Container& container, const Bodies& bodies, const Discr
   std::vector<Float4> points = container.enclosure
                                    ? sampleEnclosure(container, discretisation.spacing, discretisation.support, layers)
                                    : sampleBox(container, discretisation.spacing, layers);
-  std::vector<double> calibrations(points.size(), wallCalibration(discretisation, layers));
-  const double thinCalibration = layers == 1 ? calibrations.front() : wallCalibration(discretisation, 1);
+  const double calibration = wallCalibration(discretisation, layers);
+  const double thinCalibration = layers == 1 ? calibration : wallCalibration(discretisation, 1);
+  std::vector<double> calibrations(points.size(), calibration);
   for (const Bodies::Sample& sample : bodies.samples()) {
     points.push_back(sample.position);
-    calibrations.push_back(sample.layers == 1 ? thinCalibration : calibrations.front());
+    calibrations.push_back(sample.layers == 1 ? thinCalibration : calibration);
   }
   grid_.sort(points, team);
   points_.resize(points.size());

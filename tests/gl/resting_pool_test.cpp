@@ -27,7 +27,7 @@ struct Flicker {
 
 class RestingPool : public RenderTest {
  protected:
-  static constexpr double kSettled = 4;  ///< s; the first waves have died away.
+  static constexpr double kSettled = 8;  ///< s; the first waves have died away.
   static constexpr int kFrames = 300;
   static constexpr double kRate = 60;  ///< Frames per second.
 
