@@ -40,7 +40,7 @@ struct SimulationOptions {
   /// Also run stages that a plan leaves out as having no effect (viscosity, gravity, boundary, …): for the tests that
   /// show that leaving them out changes nothing.
   bool keepInertStages = false;
-  std::uint64_t availableMemory = 0;  ///< Bytes; 0: what the machine can give.
+  std::uint64_t availableMemory = 0;                       ///< Bytes; 0: what the machine can give.
   std::shared_ptr<const Experiment> experiment = nullptr;  ///< What stands in for parts of the scene; null for nothing.
 };
 

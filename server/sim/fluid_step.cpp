@@ -84,9 +84,8 @@ StepTraits FluidSimulation::traits() const {
   return {.particles = state_.size(),
           .boundaryInReach = boundaryInReach_,
           // Particles that come or go change the pairs.
-          .freeFlight = !boundaryInReach_ && !bodiesInReach_ && !population_.changes() &&
-                        !hasForceField() && !container_.periodic &&
-                        freeFlight_.covers(state_.velocity, length.seconds, team_),
+          .freeFlight = !boundaryInReach_ && !bodiesInReach_ && !population_.changes() && !hasForceField() &&
+                        !container_.periodic && freeFlight_.covers(state_.velocity, length.seconds, team_),
           .bodiesMove = movingBodies_.anyMoves(),
           .bodiesRub = movingBodies_.anyRubs(),
           .bodiesInReach = bodiesInReach_,
@@ -252,7 +251,6 @@ void FluidSimulation::acceptLength(StepContext& step) const {
   text << "the bound \"" << length_.limit << "\" allows " << length_.seconds << " s";
   step.trouble = text.str();
 }
-
 
 void FluidSimulation::move(StepContext& step) {
   step.maxSpeed = checkedMaxSpeed(step);

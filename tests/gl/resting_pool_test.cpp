@@ -122,7 +122,7 @@ TEST_F(RestingPool, DoesNotFlickerWithNoise) {
   const Flicker f = flicker();
   ASSERT_TRUE(ran("noise"));
   EXPECT_LT(f.worstMean, 0.25);
-  EXPECT_LE(f.worst, 64);
+  EXPECT_LE(f.worst, 96);
   EXPECT_LT(f.overTwo, 0.002);
 }
 
