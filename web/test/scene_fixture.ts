@@ -13,7 +13,7 @@ export function damBreak(): Scene {
       value: {
         particleSpacing: 0.04,
         gravity: { x: 0, y: -9.81, z: 0 },
-        container: { min: { x: -1, y: 0, z: -1 }, max: { x: 1, y: 1, z: 1 } },
+        boundary: { case: "container", value: { min: { x: -1, y: 0, z: -1 }, max: { x: 1, y: 1, z: 1 } } },
         fluids: [
           {
             viscosity: 0.02,
