@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sluice/core/simd.h"
 #include "sluice/core/check.h"
+#include "sluice/core/simd.h"
 
 namespace sluice::render {
 

@@ -207,7 +207,7 @@ struct PictureBuffer {
 /// How one liquid's surface is drawn.
 struct SurfacePlan {
   FlowSchedule flow;
-  bool flatRims = false;  ///< Splats' limbs do not fall far behind their fronts, see kRimDepth.
+  bool flatRims = false;     ///< Splats' limbs do not fall far behind their fronts, see kRimDepth.
   unsigned backDivisor = 1;  ///< The picture's size over that which the back surface is drawn in.
 };
 

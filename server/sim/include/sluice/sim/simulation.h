@@ -8,9 +8,9 @@
 namespace sluice::sim {
 
 /// A fluid simulation, with the scene's bodies as walls, of the complete, valid scene (which must have `simulation`
-/// set) in its initial state and at its `quality`. The particles depend on the scene and its seed alone, bit for bit, whatever `threads` (0:
-/// one for each core). Throws core::InputError with the field path where the scene cannot be simulated (fluid outside
-/// the container, a mesh that cannot be read…).
+/// set) in its initial state and at its `quality`. The particles depend on the scene and its seed alone, bit for bit,
+/// whatever `threads` (0: one for each core). Throws core::InputError with the field path where the scene cannot be
+/// simulated (fluid outside the container, a mesh that cannot be read…).
 std::unique_ptr<core::ParticleSource> makeSimulation(const v1::Scene& scene, int threads = 0);
 
 }  // namespace sluice::sim
