@@ -14,6 +14,10 @@
 
 namespace sluice::sim {
 
+/// How far from a body's surface a particle has to come into the scene, in spacings: half of one, less what decimal
+/// fractions lack.
+inline constexpr double kStartingDistance = 0.495;
+
 /// A part of space that is full of fluid at the start: those points of a cubic lattice that it holds.
 struct FluidVolume {
   std::string noun;   ///< For messages: "block".

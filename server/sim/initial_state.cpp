@@ -10,9 +10,6 @@ namespace sluice::sim {
 
 namespace {
 
-/// How far from a body's surface a particle has to start, in spacings: half of one, and what decimal fractions lack.
-constexpr double kStartingDistance = 0.495;
-
 [[noreturn]] void refuseCount(double count, std::uint64_t limit, const std::string& path) {
   std::ostringstream problem;
   problem.precision(12);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "fluid_volumes.h"
 #include "sluice/core/input_error.h"
 #include "sluice/scene/convert.h"
 
@@ -17,9 +18,6 @@ using Eigen::Vector3d;
 /// How near new particles may come to others, in spacings: as near as volumes may at the start.
 constexpr double kClosest = 0.75;
 
-/// How near to a body's surface, in spacings.
-constexpr double kBodyDistance = 0.495;
-
 /// Numbers that particles can have.
 constexpr std::uint64_t kMostIds = std::uint64_t{1} << 32;
 
@@ -29,6 +27,16 @@ Float4 toFloat4(const Vector3d& v) {
 
 Vector3d toVector(const Float4& v) { return {v.x, v.y, v.z}; }
 
+/// Throws where a place before the mouth is too near to the faces of a container that is no plain box.
+void checkInEnclosure(const Nozzle& nozzle, const Vector3d& x, const solids::Enclosure& enclosure, double spacing) {
+  const double distance = enclosure.distance(x);
+  if (distance >= kClearance * spacing) return;
+  std::ostringstream problem;
+  problem << "particles would pass " << distance << " m inside the container and its planes; the mouth, and what is "
+          << "before it up to the support radius, must be one spacing inside, " << spacing << " m";
+  throw core::InputError("", nozzle.path() + ".position", problem.str());
+}
+
 /// Throws where a particle in the mouth, or one that is just clear of it, is too near to a face or in a body.
 void checkMouth(const Nozzle& nozzle, const Container& container, const Bodies& bodies,
                 const Discretisation& discretisation) {
@@ -37,6 +45,10 @@ void checkMouth(const Nozzle& nozzle, const Container& container, const Bodies& 
   for (std::uint32_t k = 0; k < nozzle.largestLayer(); ++k) {
     for (const double seconds : {0.0, clear}) {
       const Vector3d x = nozzle.placeOf(k, seconds, Vector3d::Zero());
+      if (container.enclosure) {
+        checkInEnclosure(nozzle, x, *container.enclosure, discretisation.spacing);
+        continue;
+      }
       for (std::size_t axis = 0; axis < container.walledAxes(); ++axis) {
         const double at = x[static_cast<Eigen::Index>(axis)];
         if (at >= nearest && at <= container.size[axis] - nearest) continue;
@@ -50,7 +62,7 @@ void checkMouth(const Nozzle& nozzle, const Container& container, const Bodies& 
         throw core::InputError("", nozzle.path() + ".position", problem.str());
       }
     }
-    const auto body = bodies.bodyAt(nozzle.placeOf(k, 0, Vector3d::Zero()), kBodyDistance * discretisation.spacing);
+    const auto body = bodies.bodyAt(nozzle.placeOf(k, 0, Vector3d::Zero()), kStartingDistance * discretisation.spacing);
     if (!body) continue;
     throw core::InputError("", nozzle.path() + ".position",
                            "the mouth lies inside " + bodies.nameOf(*body) +
@@ -228,7 +240,7 @@ bool Population::emitLayer(std::size_t nozzle, ParticleState& particles, const M
 bool Population::hasRoom(const std::vector<Float4>& places, const Vector3d& middle, double radius,
                          const ParticleState& particles, const Team& team) const {
   for (const Float4& place : places) {
-    if (bodies_->bodyAt(toVector(place), kBodyDistance * spacing_)) return false;
+    if (bodies_->bodyAt(toVector(place), kStartingDistance * spacing_)) return false;
   }
   const double reach = radius + kClosest * spacing_;
   const auto near = team.sumOverChunks<Places>(particles.size(), [&](const Chunk& chunk) {

@@ -134,6 +134,16 @@ TEST(Emitter, LeavesNoGapsInTheJetWhateverTheStep) {
   }
 }
 
+TEST(Emitter, TooNearTheFaceOfARoundContainerIsRefused) {
+  v1::Simulation settings = jet(0.1, 1);
+  v1::RoundContainer* sphere = settings.mutable_spherical_container();
+  set(sphere->mutable_centre(), 0, 0, 0);
+  sphere->set_radius(1.5);
+  EXPECT_NO_THROW(FluidSimulation{settings});
+  set(emitterOf(settings).mutable_position(), -1.2, 1.2, 0);  // inside of the box around, outside of the sphere
+  expectRefused(settings, "simulation.fluids[0].emitters[0].position", "inside the container and its planes");
+}
+
 TEST(Emitter, JetFallsOnTheParabolaOfItsThrow) {
   // A layer is one particle, but for one in a hundred.
   v1::Simulation settings = jet(0.0283, 2);
