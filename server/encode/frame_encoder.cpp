@@ -12,8 +12,12 @@ std::unique_ptr<FrameEncoder> makeEncoder(const EncoderSettings& settings) {
       return std::make_unique<JpegEncoder>(settings.quality);
     case core::Codec::Png:
       return std::make_unique<PngEncoder>();
+    default:
+      break;
   }
   core::checkFailed(__FILE__, __LINE__, "codec is known", "");
 }
+
+std::vector<core::Codec> availableCodecs() { return {core::Codec::Jpeg, core::Codec::Png}; }
 
 }  // namespace sluice::encode

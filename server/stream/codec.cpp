@@ -8,6 +8,12 @@ v1::Codec toProto(core::Codec codec) {
       return v1::JPEG;
     case core::Codec::Png:
       return v1::PNG;
+    case core::Codec::H264:
+      return v1::H264;
+    case core::Codec::Vp9:
+      return v1::VP9;
+    case core::Codec::Av1:
+      return v1::AV1;
   }
   return v1::CODEC_UNSPECIFIED;
 }
@@ -18,6 +24,12 @@ std::optional<core::Codec> fromProto(v1::Codec codec) {
       return core::Codec::Jpeg;
     case v1::PNG:
       return core::Codec::Png;
+    case v1::H264:
+      return core::Codec::H264;
+    case v1::VP9:
+      return core::Codec::Vp9;
+    case v1::AV1:
+      return core::Codec::Av1;
     default:
       return std::nullopt;
   }

@@ -32,6 +32,10 @@ v1::Frame header(const core::EncodedFrame& frame) {
   header.set_simulation_time(frame.tag.simulationTime);
   header.set_snapshot_sequence(frame.tag.snapshotSequence);
   header.set_snapshot(frame.tag.inReplyTo != 0);
+  header.set_still(frame.tag.still);
+  header.set_quality(static_cast<std::uint32_t>(frame.quality));
+  header.set_decoder(frame.decoder);
+  if (core::isVideo(frame.codec)) header.set_matrix(v1::BT709);
   for (const core::StageTime& stage : frame.tag.stages) {
     v1::StageTime& time = *header.add_stages();
     time.set_name(stage.name);

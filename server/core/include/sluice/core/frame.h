@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sluice/core/camera.h"
@@ -20,6 +21,7 @@ struct FrameTag {
   std::uint64_t snapshotSequence = 0;
   double simulationTime = 0;    ///< s.
   std::uint64_t inReplyTo = 0;  ///< Not 0: the answer to a SnapshotRequest of that sequence number.
+  bool still = false;           ///< Lossless, sent because nothing changed for a moment.
   StageTimes stages;            ///< What each stage spent on the frame, in order.
 };
 
@@ -30,13 +32,18 @@ struct Frame {
   std::vector<std::uint8_t> pixels;  ///< 4·width·height bytes.
 };
 
-enum class Codec : std::uint8_t { Jpeg, Png };
+enum class Codec : std::uint8_t { Jpeg, Png, H264, Vp9, Av1 };
+
+/// Whether frames of this codec build on those before them, so that a viewer needs them all.
+constexpr bool isVideo(Codec codec) { return codec != Codec::Jpeg && codec != Codec::Png; }
 
 struct EncodedFrame {
   FrameTag tag;
   ImageSize size;
   Codec codec = Codec::Png;
   bool keyframe = true;  ///< Decodes without any other frame.
+  int quality = 0;       ///< 1..100; 0 for lossless codecs.
+  std::string decoder;   ///< Of a keyframe of video: what WebCodecs calls the stream, "avc1.42C01F".
   std::vector<std::uint8_t> bytes;
 };
 
