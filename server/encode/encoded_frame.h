@@ -15,7 +15,10 @@ core::EncodedFrame encodeTimed(const core::Frame& frame, core::Codec codec, Comp
   SLUICE_CHECK(frame.size.width > 0 && frame.size.height > 0);
   SLUICE_CHECK_EQ(frame.pixels.size(), 4U * static_cast<std::size_t>(frame.size.width) * frame.size.height);
 
-  core::EncodedFrame encoded{.tag = frame.tag, .size = frame.size, .codec = codec, .keyframe = true, .bytes = {}};
+  core::EncodedFrame encoded;
+  encoded.tag = frame.tag;
+  encoded.size = frame.size;
+  encoded.codec = codec;
   const core::StageTimer timer(encoded.tag.stages, "encode");
   encoded.bytes = std::forward<Compress>(compress)();
   return encoded;

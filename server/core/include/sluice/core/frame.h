@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,16 +14,22 @@ namespace sluice::core {
 
 using ViewerId = std::uint64_t;
 
-/// What travels with a picture from the renderer to its viewer.
+/// What travels with a picture from the renderer to those who look at it.
 struct FrameTag {
+  std::uint64_t snapshotSequence = 0;
+  double simulationTime = 0;  ///< s.
+  bool still = false;         ///< Lossless, sent because nothing changed for a moment.
+  StageTimes stages;          ///< What each stage spent on the frame, in order.
+};
+
+/// One viewer's share in a picture that may go to several.
+struct Delivery {
   ViewerId viewer = 0;
   std::uint64_t frameId = 0;           ///< Rises by one with every frame of a viewer, from 1.
   std::uint64_t reflectsSequence = 0;  ///< Newest message of the viewer that the picture shows.
-  std::uint64_t snapshotSequence = 0;
-  double simulationTime = 0;    ///< s.
-  std::uint64_t inReplyTo = 0;  ///< Not 0: the answer to a SnapshotRequest of that sequence number.
-  bool still = false;           ///< Lossless, sent because nothing changed for a moment.
-  StageTimes stages;            ///< What each stage spent on the frame, in order.
+  std::uint64_t inReplyTo = 0;         ///< Not 0: the answer to a SnapshotRequest of that sequence number.
+  /// When the message of `reflectsSequence` arrived; none where an earlier frame showed it already.
+  std::optional<std::chrono::steady_clock::time_point> askedAt;
 };
 
 /// A picture: 8-bit sRGB, RGBA interleaved, rows from the top down without padding.
