@@ -15,6 +15,7 @@ using Command = std::function<int()>;
 void addServeCommand(CLI::App& program, Command& chosen);
 void addRenderCommand(CLI::App& program, Command& chosen);
 void addSimulateCommand(CLI::App& program, Command& chosen);
+void addReplayCommand(CLI::App& program, Command& chosen);
 void addPlanCommand(CLI::App& program, Command& chosen);
 void addEvaluateCommand(CLI::App& program, Command& chosen);
 void addGalleryCommand(CLI::App& program, Command& chosen);

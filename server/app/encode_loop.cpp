@@ -1,11 +1,11 @@
 #include "sluice/app/encode_loop.h"
 
-#include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace sluice::app {
 
-EncodeLoop::EncodeLoop(Sink sink) : sink_(std::move(sink)), thread_([this] { loop(); }) {}
+EncodeLoop::EncodeLoop(Events& events) : events_(events), thread_([this] { loop(); }) {}
 
 EncodeLoop::~EncodeLoop() {
   {
@@ -16,55 +16,62 @@ EncodeLoop::~EncodeLoop() {
   thread_.join();
 }
 
-void EncodeLoop::put(core::Frame frame, const encode::EncoderSettings& settings) {
+void EncodeLoop::put(core::Frame frame, ViewerSchedule::Job job) {
   {
     const std::lock_guard lock(mutex_);
-    const auto replaced = std::find_if(waiting_.begin(), waiting_.end(), [&](const Work& work) {
-      return work.frame.tag.viewer == frame.tag.viewer && work.frame.tag.inReplyTo == 0 && frame.tag.inReplyTo == 0;
-    });
-    if (replaced != waiting_.end()) {
-      *replaced = {std::move(frame), settings};  // keeps its turn
-    } else {
-      waiting_.push_back({std::move(frame), settings});
+    waiting_.push_back({std::move(frame), std::move(job)});
+  }
+  wake_.notify_one();
+}
+
+void EncodeLoop::keepOnly(std::set<StreamKey> streams) {
+  {
+    const std::lock_guard lock(mutex_);
+    kept_ = std::move(streams);
+  }
+  wake_.notify_one();
+}
+
+encode::FrameEncoder& EncodeLoop::encoderFor(const StreamKey& stream, const encode::EncoderSettings& settings) {
+  Encoder& entry = encoders_[stream];
+  if (!entry.encoder || (entry.settings != settings && !entry.encoder->retune(settings))) {
+    entry.encoder = encode::makeEncoder(settings);
+  }
+  entry.settings = settings;
+  return *entry.encoder;
+}
+
+void EncodeLoop::encode(const core::Frame& frame, const ViewerSchedule::Encoding& encoding) {
+  try {
+    if (!encoding.stream) {
+      events_.encoded(encode::makeEncoder(encoding.settings)->encode(frame), encoding.deliveries);
+      return;
     }
+    encode::FrameEncoder& encoder = encoderFor(*encoding.stream, encoding.settings);
+    if (encoding.keyframe) encoder.requestKeyframe();
+    events_.encoded(encoder.encode(frame), encoding.deliveries);
+  } catch (const std::exception& error) {
+    // The next frame gets a new encoder, and so begins with a keyframe.
+    if (encoding.stream) encoders_.erase(*encoding.stream);
+    events_.encodingFailed(encoding.deliveries, error.what());
   }
-  wake_.notify_one();
-}
-
-void EncodeLoop::leave(core::ViewerId viewer) {
-  {
-    const std::lock_guard lock(mutex_);
-    std::erase_if(waiting_, [&](const Work& work) { return work.frame.tag.viewer == viewer; });
-    left_.push_back(viewer);
-  }
-  wake_.notify_one();
-}
-
-EncodeLoop::Encoder& EncodeLoop::encoderFor(const Work& work) {
-  Encoder& entry = encoders_[work.frame.tag.viewer];
-  if (!entry.encoder || entry.settings != work.settings) {
-    entry = {work.settings, encode::makeEncoder(work.settings)};
-  }
-  return entry;
 }
 
 void EncodeLoop::loop() {
   std::unique_lock lock(mutex_);
   while (true) {
-    wake_.wait(lock, [&] { return stopping_ || !waiting_.empty() || !left_.empty(); });
+    wake_.wait(lock, [&] { return stopping_ || !waiting_.empty() || kept_; });
     if (stopping_) return;
-    for (; !left_.empty(); left_.pop_front()) encoders_.erase(left_.front());
+    if (const auto kept = std::exchange(kept_, std::nullopt)) {
+      std::erase_if(encoders_, [&](const auto& entry) { return !kept->contains(entry.first); });
+    }
     if (waiting_.empty()) continue;
 
     const Work work = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
-    // A snapshot must not disturb the state of the viewer's stream.
-    if (work.frame.tag.inReplyTo != 0) {
-      sink_(encode::makeEncoder(work.settings)->encode(work.frame));
-    } else {
-      sink_(encoderFor(work).encoder->encode(work.frame));
-    }
+    for (const ViewerSchedule::Encoding& encoding : work.job.encodings) encode(work.frame, encoding);
+    events_.pictureDone(work.job.owner);
     lock.lock();
   }
 }

@@ -13,10 +13,10 @@ namespace sluice::app {
 
 namespace {
 
-std::unique_ptr<core::ParticleSource> openLiquid(const v1::Scene& scene, int threads) {
+std::unique_ptr<core::ParticleSource> openLiquid(const v1::Scene& scene, int threads, std::uint64_t mostParticles) {
   switch (scene.source_case()) {
     case v1::Scene::kSimulation:
-      return sim::makeSimulation(scene, threads);
+      return sim::makeSimulation(scene, threads, mostParticles);
     case v1::Scene::kParticleFile:
       return sources::openParticlePlayback(scene);
     case v1::Scene::kColumnAndSheet:
@@ -50,9 +50,10 @@ LiveScene loadScene(const std::string& nameOrPath, const std::vector<std::string
   return live;
 }
 
-std::unique_ptr<core::ParticleSource> openSource(const v1::Scene& scene, int threads) {
+std::unique_ptr<core::ParticleSource> openSource(const v1::Scene& scene, int threads, std::uint64_t mostParticles) {
   // Whether or not the scene has foam: a viewer may switch it on while the source runs.
-  std::unique_ptr<core::ParticleSource> source = sources::withFoam(openLiquid(scene, threads), scene, threads);
+  std::unique_ptr<core::ParticleSource> source =
+      sources::withFoam(openLiquid(scene, threads, mostParticles), scene, threads);
   for (const std::string& notice : source->notices()) std::fprintf(stderr, "sluice-server: %s\n", notice.c_str());
   return source;
 }

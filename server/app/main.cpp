@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   app::addServeCommand(program, chosen);
   app::addRenderCommand(program, chosen);
   app::addSimulateCommand(program, chosen);
+  app::addReplayCommand(program, chosen);
   app::addPlanCommand(program, chosen);
   app::addEvaluateCommand(program, chosen);
   app::addGalleryCommand(program, chosen);

@@ -3,14 +3,24 @@
 #include <exception>
 #include <utility>
 
+#include "sluice/app/to_proto.h"
+#include "sluice/core/ray.h"
 #include "sluice/gl/context.h"
+#include "sluice/render/pick_fluid.h"
 #include "sluice/scene/convert.h"
 
 namespace sluice::app {
 
+namespace {
+
+/// Picks that may wait, of all viewers together.
+constexpr std::size_t kMaxPicks = 64;
+
+}  // namespace
+
 RenderLoop::RenderLoop(core::Mailbox<core::ParticleSnapshot>& snapshots, std::shared_ptr<const LiveScene> scene,
-                       std::uint32_t frameWindow, Events& events)
-    : snapshots_(snapshots), events_(events), schedule_(frameWindow), scene_(std::move(scene)) {
+                       std::uint32_t maxWindow, Events& events)
+    : snapshots_(snapshots), events_(events), schedule_(maxWindow), scene_(std::move(scene)) {
   std::promise<std::string> ready;
   std::future<std::string> name = ready.get_future();
   thread_ = std::thread([this, promise = std::move(ready)]() mutable { loop(std::move(promise)); });
@@ -56,7 +66,7 @@ void RenderLoop::sceneChanged(std::shared_ptr<const LiveScene> scene, core::View
     scene_ = std::move(scene);
     plans_.clear();  // the plan of the steps travels with that of the frame
     schedule_.setStartCamera(start);
-    schedule_.contentChangedBy(by, sequence);
+    schedule_.contentChangedBy(by, sequence, ViewerSchedule::Clock::now());
   }
   wake_.notify_one();
 }
@@ -75,13 +85,15 @@ void RenderLoop::loop(std::promise<std::string> ready) {
 
   std::unique_lock lock(mutex_);
   while (!stopping_) {
-    const auto job = schedule_.next(ViewerSchedule::Clock::now());
-    if (job) {
+    const ViewerSchedule::Clock::time_point now = ViewerSchedule::Clock::now();
+    if (!picks_.empty()) {
+      answerPicks(lock);
+    } else if (const auto job = schedule_.next(now)) {
       const std::shared_ptr<const LiveScene> scene = scene_;
       lock.unlock();
       draw(*renderer, *job, *scene);
       lock.lock();
-    } else if (const auto due = schedule_.nextDue()) {
+    } else if (const auto due = schedule_.nextDue(now)) {
       wake_.wait_until(lock, *due);
     } else {
       wake_.wait(lock);
@@ -92,32 +104,63 @@ void RenderLoop::loop(std::promise<std::string> ready) {
 void RenderLoop::draw(render::FluidRenderer& renderer, const ViewerSchedule::Job& job, const LiveScene& scene) {
   if (auto newest = snapshots_.take()) particles_ = std::move(newest);
 
+  const ViewerSchedule::Clock::time_point begun = ViewerSchedule::Clock::now();
   core::Frame frame;
   try {
-    frame = renderer.render(*particles_, scene.scene, job.camera, job.view.size);
+    frame = renderer.render(*particles_, scene.scene, job.camera, job.size);
   } catch (const std::exception& error) {
-    // The viewer will never acknowledge what it is never sent.
-    schedule([&](ViewerSchedule& schedule) { schedule.acknowledge(job.viewer, job.frameId); });
-    events_.frameFailed(job.viewer, job.inReplyTo, error.what());
+    schedule([&](ViewerSchedule& schedule) { schedule.failed(job); });
+    events_.frameFailed(job, error.what());
     return;
   }
-  frame.tag.viewer = job.viewer;
-  frame.tag.frameId = job.frameId;
-  frame.tag.reflectsSequence = job.reflectsSequence;
-  frame.tag.inReplyTo = job.inReplyTo;
+  const double seconds = std::chrono::duration<double>(ViewerSchedule::Clock::now() - begun).count();
+  schedule([&](ViewerSchedule& schedule) { schedule.drawn(job, seconds); });
   frame.tag.snapshotSequence = particles_->sequence;
   frame.tag.simulationTime = particles_->time;
-  events_.frame(std::move(frame), job.view);
-  if (job.inReplyTo == 0) tellPlan(job.viewer, renderer.plan());
+  frame.tag.still = job.still;
+  events_.frame(std::move(frame), job);
+  tellPlan(job, renderer.plan());
 }
 
-void RenderLoop::tellPlan(core::ViewerId viewer, const core::Plan& plan) {
+void RenderLoop::tellPlan(const ViewerSchedule::Job& job, const core::Plan& plan) {
+  std::vector<core::ViewerId> news;
   {
     const std::lock_guard lock(mutex_);
-    if (!schedule_.contains(viewer) || plans_[viewer] == plan) return;
-    plans_[viewer] = plan;
+    for (const ViewerSchedule::Encoding& encoding : job.encodings) {
+      // The plan of a snapshot or a still is not what the viewer's stream costs.
+      if (!encoding.stream) continue;
+      for (const core::Delivery& delivery : encoding.deliveries) {
+        if (!schedule_.contains(delivery.viewer) || plans_[delivery.viewer] == plan) continue;
+        plans_[delivery.viewer] = plan;
+        news.push_back(delivery.viewer);
+      }
+    }
   }
-  events_.framePlan(viewer, plan);
+  for (const core::ViewerId viewer : news) events_.framePlan(viewer, plan);
+}
+
+bool RenderLoop::pick(core::ViewerId viewer, std::uint64_t sequence, const stream::PickPoint& point) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (picks_.size() >= kMaxPicks) return false;
+    picks_.push_back({viewer, sequence, point});
+  }
+  wake_.notify_one();
+  return true;
+}
+
+void RenderLoop::answerPicks(std::unique_lock<std::mutex>& lock) {
+  for (std::deque<PickRequest> picks = std::exchange(picks_, {}); !picks.empty(); picks.pop_front()) {
+    const PickRequest& request = picks.front();
+    const auto seen = schedule_.seenBy(request.viewer);
+    if (!seen) continue;
+    lock.unlock();
+    if (auto newest = snapshots_.peek()) particles_ = std::move(newest);
+    const core::Ray ray =
+        core::rayThrough(request.point.camera.value_or(seen->camera), seen->size, request.point.x, request.point.y);
+    events_.picked(request.viewer, request.sequence, toProto(render::pickFluid(*particles_, ray), *particles_));
+    lock.lock();
+  }
 }
 
 }  // namespace sluice::app

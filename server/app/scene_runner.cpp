@@ -2,12 +2,12 @@
 
 #include <exception>
 #include <new>
-#include <set>
 #include <string>
 #include <utility>
 
+#include <spdlog/spdlog.h>
+
 #include "sluice/app/to_proto.h"
-#include "sluice/scene/scene.h"
 
 namespace sluice::app {
 
@@ -18,24 +18,12 @@ constexpr std::size_t kMaxWaiting = 256;
 
 constexpr std::chrono::milliseconds kStatsInterval{250};
 
-/// Viewers name shipped scenes and send scene texts; which files the server reads is its operator's choice. Files that
-/// the present scene reads may be named again, wherever they stand in the wanted one.
-void refuseForeignFiles(v1::Scene present, v1::Scene wanted) {
-  std::set<std::string> known;
-  for (const scene::FileReference& file : scene::filesOf(present)) known.insert(*file.path);
-  for (const scene::FileReference& file : scene::filesOf(wanted)) {
-    if (!known.contains(*file.path)) {
-      throw core::InputError("", file.fieldPath, "viewers cannot name files of the server");
-    }
-  }
-}
-
 }  // namespace
 
-SceneRunner::SceneRunner(LiveScene scene, int threads) : threads_(threads) {
-  source_ = openSource(scene.scene, threads_);
-  replaceScene(std::move(scene));
-  playing_ = !this->scene()->scene.playback().paused();
+SceneRunner::SceneRunner(LiveScene scene, const SceneRunnerOptions& options)
+    : run_(std::move(scene), options.threads, options.mostParticles) {
+  if (options.commandLog) log_.emplace(*options.commandLog, run_.scene()->scene);
+  showScene();
   publishSnapshot();
   publishStats();
 }
@@ -53,10 +41,17 @@ void SceneRunner::stop() {
     stopping_ = true;
   }
   wake_.notify_one();
-  if (thread_.joinable()) thread_.join();
+  if (!thread_.joinable()) return;
+  thread_.join();
+  if (!log_) return;
+  try {
+    log_->finish(run_.steps(), *run_.source().snapshot());
+  } catch (const core::InputError& error) {
+    spdlog::error("{}", error.what());
+  }
 }
 
-SceneRunner::Enqueued SceneRunner::enqueue(const Request& request, Command command) {
+SceneRunner::Enqueued SceneRunner::enqueue(const Request& request, SceneCommand command) {
   {
     const std::lock_guard lock(mutex_);
     if (commands_.size() >= kMaxWaiting) return Enqueued::Full;
@@ -84,7 +79,7 @@ v1::Stats SceneRunner::lastStats() const {
   return stats_;
 }
 
-bool SceneRunner::canMove() const { return playing_ && !atEnd_ && audience_ > 0; }
+bool SceneRunner::canMove() const { return (run_.playing() || run_.hasGoal()) && !run_.atEnd() && audience_ > 0; }
 
 void SceneRunner::loop() {
   std::unique_lock lock(mutex_);
@@ -99,7 +94,9 @@ void SceneRunner::loop() {
     }
     const Clock::time_point now = Clock::now();
     const bool moving = canMove();
-    const Clock::time_point due = moving ? pace_.due(now, source_->time()) : Clock::time_point::max();
+    Clock::time_point due = Clock::time_point::max();
+    // What was asked for by its time is wanted soon; what plays keeps its pace.
+    if (moving) due = run_.hasGoal() ? now : pace_.due(now, run_.source().time());
     if (due <= now) {
       lock.unlock();
       advance();
@@ -118,10 +115,9 @@ void SceneRunner::loop() {
   }
 }
 
-void SceneRunner::execute(const Request& request, const Command& command) {
+void SceneRunner::execute(const Request& request, const SceneCommand& command) {
   try {
-    std::visit([&](const auto& c) { apply(request, c); }, command);
-    events_->done(request);
+    carryOut(request, command);
   } catch (const core::InputError& error) {
     events_->failed(request, error);
   } catch (const std::bad_alloc&) {
@@ -129,87 +125,77 @@ void SceneRunner::execute(const Request& request, const Command& command) {
   }
 }
 
-void SceneRunner::apply(const Request&, const Control& control) {
-  switch (control.action) {
-    case v1::Control::PLAY:
-      if (std::exchange(atEnd_, false) && source_->halted().empty()) source_->reset();
-      playing_ = true;
-      break;
-    case v1::Control::PAUSE:
-      playing_ = false;
-      break;
-    case v1::Control::STEP:
-      playing_ = false;
-      advance();
-      break;
-    case v1::Control::RESET:
-      source_->reset();
-      atEnd_ = false;
-      unpublished_ = true;
-      break;
-    default:
-      throw core::InputError("", "control.action", "is none of PLAY, PAUSE, STEP, RESET");
+void SceneRunner::carryOut(const Request& request, const SceneCommand& command) {
+  const std::uint64_t before = run_.steps();
+  const SceneRun::Outcome outcome = run_.apply(command);
+  log(before, command);
+
+  // A goal that this command has done away with is not reached any more.
+  if (waitsForGoal_ && !run_.hasGoal()) {
+    events_->failed(*std::exchange(waitsForGoal_, std::nullopt),
+                    core::InputError("", "control.until_seconds", "another command came before that time was reached"));
   }
-  pace_.restart(Clock::now(), source_->time());
-  if (unpublished_) publishSnapshot();
-  publishStats();
+  const bool isControl = std::holds_alternative<v1::Control>(command);
+  if (isControl && waitsForGoal_) {
+    events_->failed(*waitsForGoal_, core::InputError("", "control.until_seconds", "another time is asked for now"));
+  }
+  const bool waits = isControl && run_.hasGoal();
+  if (waits) waitsForGoal_ = request;
+
+  if (outcome.sceneChanged) showScene();
+  if (isControl || outcome.restarted) pace_.restart(Clock::now(), run_.source().time());
+  if (outcome.restarted || run_.steps() > before) publishSnapshot();
+  if (outcome.sceneChanged) events_->sceneChanged(request, outcome.restarted);
+  if (isControl || outcome.sceneChanged) publishStats();
+  if (!waits) events_->done(request);
 }
 
-void SceneRunner::apply(const Request& request, const v1::UpdateScene& update) {
-  const std::shared_ptr<const LiveScene> present = scene();
-  scene::Update updated = scene::applyUpdate(present->scene, update.scene(), update.mask());
-  refuseForeignFiles(present->scene, updated.scene);
-  if (updated.restart) {
-    source_ = openSource(updated.scene, threads_);
-    atEnd_ = false;
-  } else {
-    source_->update(updated.scene);
+void SceneRunner::log(std::uint64_t afterSteps, const SceneCommand& command) {
+  if (!log_) return;
+  try {
+    log_->append(afterSteps, command);
+  } catch (const core::InputError& error) {
+    // A full disk must not end the run; a log with a gap would be worse than none.
+    spdlog::error("{}; it is given up", error.what());
+    log_.reset();
   }
-  replaceScene({std::move(updated.scene), present->name, {}});
-  if (updated.restart) publishSnapshot();
-  events_->sceneChanged(request, updated.restart);
-  publishStats();
-}
-
-void SceneRunner::apply(const Request& request, const v1::LoadScene& load) {
-  LiveScene wanted;
-  if (load.has_name()) {
-    wanted.scene = scene::loadShipped(load.name());
-    wanted.name = load.name();
-  } else {
-    wanted.scene = scene::parse(load.text(), "scene");
-    refuseForeignFiles(v1::Scene(), wanted.scene);
-  }
-  source_ = openSource(wanted.scene, threads_);
-  atEnd_ = false;
-  playing_ = !wanted.scene.playback().paused();
-  replaceScene(std::move(wanted));
-  publishSnapshot();
-  events_->sceneChanged(request, true);
-  publishStats();
 }
 
 void SceneRunner::advance() {
-  atEnd_ = !source_->advance();
+  run_.advance();
   unpublished_ = true;
   const Clock::time_point now = Clock::now();
-  pace_.record(now, source_->time());
+  pace_.record(now, run_.source().time());
+  settleGoal();
   // While the last snapshot waits to be drawn, making another would be work for nothing.
-  if (!snapshots_.peek()) publishSnapshot();
-  if (atEnd_ || now >= nextStats_) publishStats();
+  if (unpublished_ && !snapshots_.peek()) publishSnapshot();
+  if (run_.atEnd() || now >= nextStats_) publishStats();
 }
 
-void SceneRunner::replaceScene(LiveScene scene) {
-  scene.steps = source_->plan();
-  pace_.setSpeed(scene.scene.playback().speed());
-  pace_.restart(Clock::now(), source_->time());
-  auto frozen = std::make_shared<const LiveScene>(std::move(scene));
+void SceneRunner::settleGoal() {
+  if (!waitsForGoal_ || run_.hasGoal()) return;
+  // The state that was asked for is there to be seen before the answer tells so.
+  publishSnapshot();
+  publishStats();
+  const Request request = *std::exchange(waitsForGoal_, std::nullopt);
+  if (run_.atEnd()) {
+    const std::string halted = run_.source().halted();
+    events_->failed(request, core::InputError("", "control.until_seconds",
+                                              halted.empty() ? "the run ends before that time" : halted));
+  } else {
+    events_->done(request);
+  }
+}
+
+void SceneRunner::showScene() {
+  pace_.setSpeed(run_.scene()->scene.playback().speed());
+  pace_.restart(Clock::now(), run_.source().time());
   const std::lock_guard lock(mutex_);
-  scene_ = std::move(frozen);
+  scene_ = run_.scene();
 }
 
 void SceneRunner::publishSnapshot() {
-  std::unique_ptr<core::ParticleSnapshot> snapshot = source_->snapshot();
+  std::unique_ptr<core::ParticleSnapshot> snapshot = run_.source().snapshot();
   snapshot->sequence = ++snapshotSequence_;
   particleCount_ = snapshot->size();
   snapshots_.put(std::move(snapshot));
@@ -219,12 +205,13 @@ void SceneRunner::publishSnapshot() {
 
 void SceneRunner::publishStats() {
   nextStats_ = Clock::now() + kStatsInterval;
-  v1::Stats stats = toProto(source_->statistics());
-  stats.set_simulation_time(source_->time());
+  const bool moves = (run_.playing() || run_.hasGoal()) && !run_.atEnd();
+  v1::Stats stats = toProto(run_.source().statistics());
+  stats.set_simulation_time(run_.source().time());
   stats.set_particles(particleCount_);
-  stats.set_paused(!playing_ || atEnd_);
-  stats.set_real_time_factor(playing_ && !atEnd_ ? pace_.realTimeFactor() : 0);
-  stats.set_halted(source_->halted());
+  stats.set_paused(!run_.playing() || run_.atEnd());
+  stats.set_real_time_factor(moves ? pace_.realTimeFactor() : 0);
+  stats.set_halted(run_.source().halted());
   {
     const std::lock_guard lock(mutex_);
     stats_ = stats;

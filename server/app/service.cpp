@@ -1,5 +1,8 @@
 #include "sluice/app/service.h"
 
+#include <atomic>
+#include <map>
+#include <set>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -11,6 +14,7 @@
 #include "sluice/app/version.h"
 #include "sluice/scene/convert.h"
 #include "sluice/scene/scene.h"
+#include "sluice/stream/codec.h"
 
 namespace sluice::app {
 
@@ -29,15 +33,24 @@ v1::ServerMessage errorMessage(std::uint64_t inReplyTo, v1::Error::Code code, co
 
 }  // namespace
 
+/// What has happened since the service started; counted on several threads.
+struct ServiceCounters {
+  std::atomic<std::uint64_t> picturesDrawn = 0;
+  std::atomic<std::uint64_t> framesEncoded = 0;
+  std::atomic<std::uint64_t> framesSent = 0;
+  std::atomic<std::uint64_t> framesNotTaken = 0;
+  std::atomic<std::uint64_t> failures = 0;
+};
+
 /// The joints between the stages: what one tells becomes what another does. Backend is called on the io thread, the
-/// events on the threads of the runner and the renderer; all that this class itself holds is constant after its
-/// constructor.
-class Service::Impl final : stream::Backend, SceneRunner::Events, RenderLoop::Events {
+/// events on the threads of the runner, the renderer and the encoder.
+class Service::Impl final : stream::Backend, SceneRunner::Events, RenderLoop::Events, EncodeLoop::Events {
  public:
   explicit Impl(ServiceOptions options)
-      : runner_(std::move(options.scene), options.threads),
+      : codecs_(encode::availableCodecs()),
+        runner_(std::move(options.scene), options.runner),
         server_(options.server, *this),
-        encoder_([this](const core::EncodedFrame& frame) { server_.sendFrame(frame.tag.viewer, frame); }),
+        encoder_(*this),
         renderer_(runner_.snapshots(), runner_.scene(), options.server.frameWindow, *this) {
     runner_.start(*this);
   }
@@ -49,6 +62,8 @@ class Service::Impl final : stream::Backend, SceneRunner::Events, RenderLoop::Ev
   const std::string& rendererName() const { return renderer_.rendererName(); }
 
  private:
+  using Clock = ViewerSchedule::Clock;
+
   // ---- stream::Backend: what viewers ask
 
   v1::Welcome welcome() override {
@@ -61,8 +76,7 @@ class Service::Impl final : stream::Backend, SceneRunner::Events, RenderLoop::Ev
       entry.set_name(shipped.name);
       entry.set_title(shipped.title);
     }
-    welcome.add_codecs(v1::JPEG);
-    welcome.add_codecs(v1::PNG);
+    for (const core::Codec codec : codecs_) welcome.add_codecs(stream::toProto(codec));
     const std::shared_ptr<const LiveScene> live = runner_.scene();
     *welcome.mutable_scene() = live->scene;
     welcome.set_scene_name(live->name);
@@ -70,42 +84,67 @@ class Service::Impl final : stream::Backend, SceneRunner::Events, RenderLoop::Ev
     return welcome;
   }
 
-  void join(core::ViewerId viewer) override {
+  void join(core::ViewerId viewer, const stream::Visitor& visitor) override {
     const core::Camera start = scene::toCamera(runner_.scene()->scene.camera());
     changeSchedule([&](ViewerSchedule& schedule) { schedule.join(viewer, start); });
     v1::ServerMessage message;
     *message.mutable_stats() = runner_.lastStats();
     server_.send(viewer, std::move(message));
+    v1::ViewersChanged::Viewer& entry = visitors_[viewer];
+    entry.set_viewer_id(viewer);
+    entry.set_client(visitor.client);
+    entry.set_role(visitor.role);
+    tellVisitors();
   }
 
   void leave(core::ViewerId viewer) override {
     renderer_.leave(viewer);
-    encoder_.leave(viewer);
     changeSchedule([](ViewerSchedule&) {});
+    keepStreams();
+    visitors_.erase(viewer);
+    for (auto& [id, entry] : visitors_) {
+      if (entry.follows() == viewer) entry.set_follows(0);
+    }
+    tellVisitors();
   }
 
   void setView(core::ViewerId viewer, std::uint64_t sequence, const stream::View& view) override {
-    renderer_.schedule([&](ViewerSchedule& schedule) { schedule.setView(viewer, sequence, view); });
+    renderer_.schedule([&](ViewerSchedule& schedule) { schedule.setView(viewer, sequence, view, Clock::now()); });
+    keepStreams();
+    const auto entry = visitors_.find(viewer);
+    if (entry == visitors_.end()) return;
+    entry->second.set_width(static_cast<std::uint32_t>(view.size.width));
+    entry->second.set_height(static_cast<std::uint32_t>(view.size.height));
+    entry->second.set_follows(view.follow);
+    tellVisitors();
   }
 
   void setCamera(core::ViewerId viewer, std::uint64_t sequence, const core::Camera& camera) override {
-    renderer_.schedule([&](ViewerSchedule& schedule) { schedule.setCamera(viewer, sequence, camera); });
+    renderer_.schedule([&](ViewerSchedule& schedule) { schedule.setCamera(viewer, sequence, camera, Clock::now()); });
   }
 
   void acknowledge(core::ViewerId viewer, std::uint64_t frameId) override {
-    renderer_.schedule([&](ViewerSchedule& schedule) { schedule.acknowledge(viewer, frameId); });
+    renderer_.schedule([&](ViewerSchedule& schedule) { schedule.acknowledge(viewer, frameId, Clock::now()); });
+  }
+
+  void requestKeyframe(core::ViewerId viewer) override {
+    renderer_.schedule([&](ViewerSchedule& schedule) { schedule.requestKeyframe(viewer); });
   }
 
   void updateScene(core::ViewerId viewer, std::uint64_t sequence, const v1::UpdateScene& update) override {
     enqueue({viewer, sequence}, update);
   }
 
-  void control(core::ViewerId viewer, std::uint64_t sequence, v1::Control::Action action) override {
-    enqueue({viewer, sequence}, SceneRunner::Control{action});
+  void control(core::ViewerId viewer, std::uint64_t sequence, const v1::Control& control) override {
+    enqueue({viewer, sequence}, control);
   }
 
   void loadScene(core::ViewerId viewer, std::uint64_t sequence, const v1::LoadScene& scene) override {
     enqueue({viewer, sequence}, scene);
+  }
+
+  void interact(core::ViewerId viewer, std::uint64_t sequence, const v1::Interact& interact) override {
+    enqueue({viewer, sequence}, interact);
   }
 
   void snapshot(core::ViewerId viewer, std::uint64_t sequence, core::ImageSize size,
@@ -116,6 +155,32 @@ class Service::Impl final : stream::Backend, SceneRunner::Events, RenderLoop::Ev
     if (!accepted) {
       server_.send(viewer, errorMessage(sequence, v1::Error::REFUSED, "", "a snapshot is under way already"));
     }
+  }
+
+  void pick(core::ViewerId viewer, std::uint64_t sequence, const stream::PickPoint& point) override {
+    if (!renderer_.pick(viewer, sequence, point)) {
+      server_.send(viewer, errorMessage(sequence, v1::Error::REFUSED, "", "too many picks are waiting"));
+    }
+  }
+
+  void metrics(stream::MetricsText& text) const override {
+    const v1::Stats stats = runner_.lastStats();
+    const auto count = [](const std::atomic<std::uint64_t>& counter) {
+      return static_cast<double>(counter.load(std::memory_order_relaxed));
+    };
+    text.counter("sluice_pictures_drawn_total", "Pictures drawn.", count(counters_.picturesDrawn));
+    text.counter("sluice_frames_encoded_total", "Encodings of pictures.", count(counters_.framesEncoded));
+    text.counter("sluice_frames_sent_total", "Frames handed to viewers.", count(counters_.framesSent));
+    text.counter("sluice_frames_not_taken_total", "Frames that their viewers had no room for.",
+                 count(counters_.framesNotTaken));
+    text.counter("sluice_failures_total", "Pictures that could not be drawn or encoded.", count(counters_.failures));
+    text.gauge("sluice_simulation_seconds", "Simulated time.", stats.simulation_time());
+    text.gauge("sluice_simulation_paused", "1 while the scene rests.", stats.paused() ? 1 : 0);
+    text.gauge("sluice_simulation_particles", "Particles.", static_cast<double>(stats.particles()));
+    text.gauge("sluice_simulation_steps", "Steps since the scene began.", static_cast<double>(stats.steps()));
+    text.gauge("sluice_simulation_real_time_ratio", "Simulated seconds per second.", stats.real_time_factor());
+    text.gauge("sluice_simulation_density_error_ratio", "Mean compression over the rest density.",
+               stats.mean_density_error());
   }
 
   // ---- SceneRunner::Events
@@ -153,8 +218,9 @@ class Service::Impl final : stream::Backend, SceneRunner::Events, RenderLoop::Ev
 
   // ---- RenderLoop::Events
 
-  void frame(core::Frame frame, const stream::View& view) override {
-    encoder_.put(std::move(frame), {.codec = view.codec, .quality = view.quality});
+  void frame(core::Frame frame, ViewerSchedule::Job job) override {
+    counters_.picturesDrawn.fetch_add(1, std::memory_order_relaxed);
+    encoder_.put(std::move(frame), std::move(job));
   }
 
   void framePlan(core::ViewerId viewer, const core::Plan& plan) override {
@@ -164,18 +230,74 @@ class Service::Impl final : stream::Backend, SceneRunner::Events, RenderLoop::Ev
     server_.send(viewer, std::move(message));
   }
 
-  void frameFailed(core::ViewerId viewer, std::uint64_t inReplyTo, const std::string& problem) override {
-    spdlog::error("viewer {}: frame failed: {}", viewer, problem);
-    server_.send(viewer, errorMessage(inReplyTo, v1::Error::FAILED, "", problem));
+  void frameFailed(const ViewerSchedule::Job& job, const std::string& problem) override {
+    for (const ViewerSchedule::Encoding& encoding : job.encodings) tellFailure(encoding.deliveries, problem);
+  }
+
+  void picked(core::ViewerId viewer, std::uint64_t sequence, const v1::Picked& picked) override {
+    v1::ServerMessage message;
+    message.set_in_reply_to(sequence);
+    *message.mutable_picked() = picked;
+    server_.send(viewer, std::move(message));
+  }
+
+  // ---- EncodeLoop::Events
+
+  void encoded(const core::EncodedFrame& frame, const std::vector<core::Delivery>& deliveries) override {
+    counters_.framesEncoded.fetch_add(1, std::memory_order_relaxed);
+    // Said before they go out, so that no acknowledgement comes before it is known what it is for.
+    renderer_.schedule([&](ViewerSchedule& schedule) {
+      for (const core::Delivery& delivery : deliveries) schedule.sent(delivery, frame, true, Clock::now());
+    });
+    for (const core::Delivery& delivery : deliveries) {
+      const stream::SendResult result = server_.sendFrame(frame, delivery);
+      const bool taken = result == stream::SendResult::Sent || result == stream::SendResult::Queued;
+      (taken ? counters_.framesSent : counters_.framesNotTaken).fetch_add(1, std::memory_order_relaxed);
+      if (taken) continue;
+      renderer_.schedule([&](ViewerSchedule& schedule) { schedule.sent(delivery, frame, false, Clock::now()); });
+    }
+  }
+
+  void encodingFailed(const std::vector<core::Delivery>& deliveries, const std::string& problem) override {
+    renderer_.schedule([&](ViewerSchedule& schedule) {
+      for (const core::Delivery& delivery : deliveries) schedule.unsent(delivery);
+    });
+    tellFailure(deliveries, problem);
+  }
+
+  void pictureDone(core::ViewerId owner) override {
+    renderer_.schedule([&](ViewerSchedule& schedule) { schedule.encoded(owner); });
   }
 
   // ----
 
-  void enqueue(const SceneRunner::Request& request, SceneRunner::Command command) {
+  void enqueue(const SceneRunner::Request& request, SceneCommand command) {
     if (runner_.enqueue(request, std::move(command)) == SceneRunner::Enqueued::Full) {
       server_.send(request.viewer,
                    errorMessage(request.sequence, v1::Error::REFUSED, "", "too many requests are waiting"));
     }
+  }
+
+  void tellFailure(const std::vector<core::Delivery>& deliveries, const std::string& problem) {
+    counters_.failures.fetch_add(1, std::memory_order_relaxed);
+    for (const core::Delivery& delivery : deliveries) {
+      spdlog::error("viewer {}: frame failed: {}", delivery.viewer, problem);
+      server_.send(delivery.viewer, errorMessage(delivery.inReplyTo, v1::Error::FAILED, "", problem));
+    }
+  }
+
+  void tellVisitors() {
+    v1::ServerMessage message;
+    for (const auto& [id, entry] : visitors_) *message.mutable_viewers_changed()->add_viewers() = entry;
+    message.mutable_viewers_changed();
+    server_.broadcast(std::move(message));
+  }
+
+  /// Encoders of streams that nobody is sent any more are let go.
+  void keepStreams() {
+    std::set<StreamKey> streams;
+    renderer_.schedule([&](ViewerSchedule& schedule) { streams = schedule.streams(); });
+    encoder_.keepOnly(std::move(streams));
   }
 
   /// The scene moves on only while somebody watches.
@@ -188,6 +310,9 @@ class Service::Impl final : stream::Backend, SceneRunner::Events, RenderLoop::Ev
     runner_.setAudience(viewers);
   }
 
+  const std::vector<core::Codec> codecs_;
+  ServiceCounters counters_;
+  std::map<core::ViewerId, v1::ViewersChanged::Viewer> visitors_;  // The io thread's own.
   SceneRunner runner_;
   stream::Server server_;
   EncodeLoop encoder_;

@@ -40,4 +40,45 @@ v1::Plan toProto(const core::Plan& plan) {
   return out;
 }
 
+namespace {
+
+void set(v1::Vec3& out, const Eigen::Vector3f& v) {
+  out.set_x(v.x());
+  out.set_y(v.y());
+  out.set_z(v.z());
+}
+
+}  // namespace
+
+v1::Picked toProto(const std::optional<render::PickedFluid>& picked, const core::ParticleSnapshot& particles) {
+  v1::Picked out;
+  out.set_simulation_time(particles.time);
+  out.set_snapshot_sequence(particles.sequence);
+  out.set_hit(picked.has_value());
+  if (!picked) return out;
+  set(*out.mutable_position(), picked->position);
+  set(*out.mutable_velocity(), picked->velocity);
+  out.set_depth(picked->depth);
+  out.set_thickness(picked->thickness);
+  out.set_density(picked->density);
+  out.set_fluid(picked->fluid);
+  return out;
+}
+
+core::Interaction fromProto(const v1::Interact& interact) {
+  core::Interaction out;
+  out.action = interact.action() == v1::Interact::PULL  ? core::Interaction::Action::Pull
+               : interact.action() == v1::Interact::ADD ? core::Interaction::Action::Add
+                                                        : core::Interaction::Action::Push;
+  const v1::Vec3& o = interact.origin();
+  const v1::Vec3& d = interact.direction();
+  out.origin = {o.x(), o.y(), o.z()};
+  out.direction = Eigen::Vector3d(d.x(), d.y(), d.z()).normalized();
+  out.radius = interact.radius();
+  if (interact.strength() > 0) out.strength = interact.strength();
+  if (interact.seconds() > 0) out.seconds = interact.seconds();
+  out.fluid = interact.fluid();
+  return out;
+}
+
 }  // namespace sluice::app

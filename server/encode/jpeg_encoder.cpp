@@ -19,7 +19,7 @@ JpegEncoder::JpegEncoder(int quality) : quality_(quality), compressor_(tjInitCom
 }
 
 core::EncodedFrame JpegEncoder::encode(const core::Frame& frame) {
-  return encodeTimed(frame, core::Codec::Jpeg, [&] {
+  core::EncodedFrame encoded = encodeTimed(frame, core::Codec::Jpeg, [&] {
     const auto [width, height] = frame.size;
     const unsigned long worstCase = tjBufSize(width, height, TJSAMP_420);
     if (scratch_.size() < worstCase) scratch_.resize(worstCase);
@@ -34,6 +34,8 @@ core::EncodedFrame JpegEncoder::encode(const core::Frame& frame) {
     }
     return std::vector<std::uint8_t>(target, target + bytes);
   });
+  encoded.quality = quality_;
+  return encoded;
 }
 
 }  // namespace sluice::encode

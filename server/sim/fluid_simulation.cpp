@@ -79,7 +79,8 @@ std::uint64_t affordableParticles(const SimulationOptions& options, const Discre
   const std::uint64_t bytes = options.availableMemory > 0 ? options.availableMemory : availableMemory();
   const auto affordable =
       static_cast<std::uint64_t>(0.8 * static_cast<double>(bytes)) / bytesPerParticle(discretisation);
-  return std::min(affordable, kMostParticles);
+  const std::uint64_t allowed = options.mostParticles > 0 ? options.mostParticles : kMostParticles;
+  return std::min({affordable, allowed, kMostParticles});
 }
 
 void checkPlanar(const v1::Simulation& settings) {

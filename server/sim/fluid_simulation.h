@@ -41,6 +41,7 @@ struct SimulationOptions {
   /// show that leaving them out changes nothing.
   bool keepInertStages = false;
   std::uint64_t availableMemory = 0;                       ///< Bytes; 0: what the machine can give.
+  std::uint64_t mostParticles = 0;                         ///< 0: as many as there is memory for.
   std::shared_ptr<const Experiment> experiment = nullptr;  ///< What stands in for parts of the scene; null for nothing.
 };
 

@@ -1,4 +1,4 @@
-#include "codec.h"
+#include "sluice/stream/codec.h"
 
 namespace sluice::stream {
 

@@ -37,15 +37,19 @@ std::optional<http::status> statusOf(const beast::error_code& error) {
 }  // namespace
 
 HttpConnection::HttpConnection(asio::ip::tcp::socket socket, ServerContext& context)
-    : context_(context), transport_(std::move(socket)), buffer_(kMaxHeaderBytes + kMaxBodyBytes) {}
+    : context_(context),
+      transport_(std::move(socket), context.tls ? &*context.tls : nullptr),
+      buffer_(kMaxHeaderBytes + kMaxBodyBytes) {}
 
 asio::awaitable<void> HttpConnection::run() {
   const auto self = shared_from_this();
+  transport_.tcp().expires_after(kRequestTimeout);
+  if (co_await transport_.handshake()) co_return;
   for (;;) {
     http::request_parser<http::string_body> parser;
     parser.header_limit(kMaxHeaderBytes);
     parser.body_limit(kMaxBodyBytes);
-    transport_.expires_after(kRequestTimeout);
+    transport_.tcp().expires_after(kRequestTimeout);
     const auto [error, bytes] = co_await http::async_read(transport_, buffer_, parser, kAsTuple);
     if (error) {
       if (const auto status = statusOf(error)) {
@@ -61,17 +65,17 @@ asio::awaitable<void> HttpConnection::run() {
       if (auto refusal = upgrade(std::move(request))) co_await answer(*std::move(refusal));
       co_return;
     }
-    if (!co_await answer(respond(request, context_.files, context_.registry.size()))) co_return;
+    if (!co_await answer(respond(request, context_))) co_return;
   }
 }
 
 asio::awaitable<bool> HttpConnection::answer(HttpResponse response) {
-  transport_.expires_after(kResponseTimeout);
+  transport_.tcp().expires_after(kResponseTimeout);
   const bool keepAlive = response.keep_alive();
   const auto [error, bytes] = co_await http::async_write(transport_, response, kAsTuple);
   if (error || !keepAlive) {
     beast::error_code ignored;
-    transport_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+    transport_.tcp().socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
     co_return false;
   }
   co_return true;
@@ -79,7 +83,7 @@ asio::awaitable<bool> HttpConnection::answer(HttpResponse response) {
 
 asio::awaitable<void> HttpConnection::drain() {
   // Closing a socket with unread bytes resets the connection, and the peer may lose the answer; so it gets a moment.
-  transport_.expires_after(kDrainTimeout);
+  transport_.tcp().expires_after(kDrainTimeout);
   for (;;) {
     buffer_.clear();
     const auto [error, bytes] = co_await transport_.async_read_some(buffer_.prepare(kMaxHeaderBytes), kAsTuple);
@@ -88,17 +92,18 @@ asio::awaitable<void> HttpConnection::drain() {
 }
 
 std::optional<HttpResponse> HttpConnection::upgrade(HttpRequest request) {
-  const Admission admission{.viewers = context_.registry.size(),
-                            .maxViewers = static_cast<std::size_t>(context_.options.maxViewers),
-                            .allowedOrigins = context_.options.allowedOrigins};
-  if (auto refusal = refuseHandshake(request, admission)) {
+  beast::error_code ignored;
+  const std::string address = transport_.tcp().socket().remote_endpoint(ignored).address().to_string();
+  if (auto refusal = refuseHandshake(request, address, context_)) {
+    context_.counters.refusedHandshakes.fetch_add(1, std::memory_order_relaxed);
+    context_.log({"handshake_refused", {{"peer", address}, {"status", std::to_string(refusal->result_int())}}});
     refusal->keep_alive(false);
     return refusal;
   }
   const core::ViewerId viewer = context_.registry.newId();
   const auto executor = transport_.get_executor();
-  const auto session = std::make_shared<Session>(viewer, std::move(transport_), context_);
-  context_.registry.add(viewer, session);
+  const auto session = std::make_shared<Session>(viewer, std::move(transport_), shownToken(request), context_);
+  context_.registry.add(viewer, session, address);
   asio::co_spawn(executor, session->run(std::move(request)), asio::detached);
   return std::nullopt;
 }

@@ -5,9 +5,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "static_files.h"
+#include "server_context.h"
 
 namespace sluice::stream {
 
@@ -18,19 +17,16 @@ using HttpResponse = beast::http::response<beast::http::string_body>;
 // What HTTP requests are answered: functions of the request and the state, without I/O but for the page's files.
 
 /// The answer to a request that is no WebSocket handshake.
-HttpResponse respond(const HttpRequest& request, const StaticFiles& files, std::size_t viewers);
+HttpResponse respond(const HttpRequest& request, const ServerContext& context);
 
 /// A plain-text answer of one line.
 HttpResponse plainResponse(const HttpRequest& request, beast::http::status status, const std::string& line);
 
-struct Admission {
-  std::size_t viewers = 0;
-  std::size_t maxViewers = 0;
-  /// Origins of pages that may connect, beside those of this server's own.
-  std::vector<std::string> allowedOrigins;
-};
+/// The token that a request carries in its Authorization header, or empty.
+std::string shownToken(const HttpRequest& request);
 
-/// Why a WebSocket handshake is refused; none: it may go on.
-std::optional<HttpResponse> refuseHandshake(const HttpRequest& request, const Admission& admission);
+/// Why a WebSocket handshake from `address` is refused; none: it may go on.
+std::optional<HttpResponse> refuseHandshake(const HttpRequest& request, const std::string& address,
+                                            const ServerContext& context);
 
 }  // namespace sluice::stream

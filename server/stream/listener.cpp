@@ -85,6 +85,7 @@ void Listener::serve(tcp::socket socket) {
   // Small messages go out at once rather than wait for the acknowledgement of what went before (Nagle's algorithm).
   socket.set_option(tcp::no_delay(true), ignored);
 
+  context_.counters.connections.fetch_add(1, std::memory_order_relaxed);
   const std::uint64_t id = ++lastConnection_;
   const auto executor = socket.get_executor();
   const auto connection = std::make_shared<HttpConnection>(std::move(socket), context_);

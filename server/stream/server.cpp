@@ -66,12 +66,12 @@ void Server::stop(const std::string& reason) {
   });
 }
 
-SendResult Server::sendFrame(core::ViewerId viewer, const core::EncodedFrame& frame) {
-  const auto session = impl_->context.registry.find(viewer);
+SendResult Server::sendFrame(const core::EncodedFrame& frame, const core::Delivery& delivery) {
+  const auto session = impl_->context.registry.find(delivery.viewer);
   if (!session || !session->joined()) return SendResult::Gone;
-  WireMessage wire = toWire(frame);
-  if (frame.tag.inReplyTo != 0) return session->sendReply(std::move(wire), frame.tag.inReplyTo);
-  return session->sendFrame(frame.tag.frameId, std::move(wire));
+  WireMessage wire = toWire(frame, delivery);
+  if (delivery.inReplyTo != 0) return session->sendReply(std::move(wire), delivery.inReplyTo);
+  return session->sendFrame(delivery.frameId, std::move(wire));
 }
 
 SendResult Server::send(core::ViewerId viewer, v1::ServerMessage message) {

@@ -17,6 +17,7 @@ namespace http = beast::http;
 namespace {
 
 constexpr std::chrono::seconds kHandshakeTimeout{10};
+constexpr std::chrono::milliseconds kLongestTick{500};
 // How long a viewer may take to answer a close frame.
 constexpr std::chrono::seconds kCloseTimeout{2};
 // Bytes of text that fit into a close frame, RFC 6455 section 5.5.1.
@@ -24,7 +25,7 @@ constexpr std::size_t kMaxCloseText = 123;
 
 std::string describePeer(const Transport& transport) {
   beast::error_code error;
-  const auto endpoint = transport.socket().remote_endpoint(error);
+  const auto endpoint = transport.tcp().socket().remote_endpoint(error);
   if (error) return "an unknown address";
   std::ostringstream text;
   text << endpoint;
@@ -38,6 +39,8 @@ v1::Limits limitsOf(const ServerOptions& options) {
   limits.set_max_message_bytes(options.maxMessageBytes);
   limits.set_frame_window(options.frameWindow);
   limits.set_max_rate(options.maxRate);
+  limits.set_max_message_rate(options.maxMessageRate);
+  limits.set_max_particles(options.maxParticles);
   return limits;
 }
 
@@ -48,19 +51,21 @@ std::string describeEnd(const beast::error_code& error, const websocket::close_r
 
 }  // namespace
 
-Session::Session(core::ViewerId viewer, Transport&& transport, ServerContext& context)
+Session::Session(core::ViewerId viewer, Transport&& transport, std::string shownToken, ServerContext& context)
     : viewer_(viewer),
       context_(context),
       peer_(describePeer(transport)),
       socket_(std::move(transport)),
       outbox_({.frameWindow = context.options.frameWindow}),
-      protocol_(viewer, limitsOf(context.options), context.backend, outbox_),
+      protocol_(viewer, limitsOf(context.options), context.options.access, std::move(shownToken), context.backend,
+                outbox_),
       incoming_(context.options.maxMessageBytes),
+      budget_(context.options.maxMessageRate, Clock::now()),
       wake_(socket_.get_executor(), Clock::time_point::max()),
       check_(socket_.get_executor()) {}
 
 void Session::configure() {
-  socket_.next_layer().expires_never();  // The WebSocket has timeouts of its own.
+  socket_.next_layer().tcp().expires_never();  // The WebSocket has timeouts of its own.
   socket_.set_option(websocket::stream_base::timeout{
       .handshake_timeout = kHandshakeTimeout, .idle_timeout = context_.options.idleTimeout, .keep_alive_pings = true});
   socket_.set_option(websocket::stream_base::decorator(
@@ -75,7 +80,7 @@ asio::awaitable<void> Session::run(Upgrade upgrade) {
   configure();
   const auto [refused] = co_await socket_.async_accept(upgrade, kAsTuple);
   if (!refused) {
-    context_.log("viewer " + std::to_string(viewer_) + " connected from " + peer_);
+    context_.log({"viewer_connected", {{"viewer", std::to_string(viewer_)}, {"peer", peer_}}});
     const auto executor = socket_.get_executor();
     asio::co_spawn(
         executor, [self] { return self->writeMessages(); }, asio::detached);
@@ -87,7 +92,10 @@ asio::awaitable<void> Session::run(Upgrade upgrade) {
     } catch (const std::exception& error) {  // Out of memory, say: this viewer's end, not the server's.
       why = error.what();
     }
-    context_.log("viewer " + std::to_string(viewer_) + " left: " + (cutOffReason_.empty() ? why : cutOffReason_));
+    context_.log({"viewer_left",
+                  {{"viewer", std::to_string(viewer_)},
+                   {"client", protocol_.client()},
+                   {"reason", cutOffReason_.empty() ? why : cutOffReason_}}});
   }
   ended_ = true;
   outbox_.close({});
@@ -106,6 +114,7 @@ asio::awaitable<std::string> Session::readMessages() {
     // What a viewer says after we began to close no longer counts; reading on finds its answer to the close frame.
     if (outbox_.closed()) continue;
 
+    context_.counters.messagesReceived.fetch_add(1, std::memory_order_relaxed);
     std::optional<CloseReason> reason;
     if (socket_.got_binary()) {
       const auto data = incoming_.cdata();
@@ -115,7 +124,16 @@ asio::awaitable<std::string> Session::readMessages() {
     }
     if (reason) outbox_.close(*std::move(reason));
     wakeWriter();
+    co_await keepBudget();
   }
+}
+
+asio::awaitable<void> Session::keepBudget() {
+  const Clock::duration wait = budget_.take(Clock::now());
+  if (wait <= Clock::duration::zero()) co_return;
+  // Not reading is what slows the viewer down, and nobody else.
+  asio::steady_timer pause(socket_.get_executor(), wait);
+  co_await pause.async_wait(kAsTuple);
 }
 
 asio::awaitable<void> Session::writeMessages() {
@@ -144,6 +162,7 @@ asio::awaitable<bool> Session::write(const std::string& message) {
   writeStarted_ = Clock::now();
   const auto [error, bytes] = co_await socket_.async_write(asio::buffer(message), kAsTuple);
   writing_ = false;
+  context_.counters.bytesSent.fetch_add(bytes, std::memory_order_relaxed);
   if (error) cutOff("cannot write: " + error.message());
   co_return !error;
 }
@@ -152,7 +171,8 @@ asio::awaitable<void> Session::watch() {
   const auto self = shared_from_this();
   const Clock::duration writeTimeout = context_.options.writeTimeout;
   // Often enough that a timeout is found within a quarter of itself.
-  const Clock::duration tick = std::min<Clock::duration>(writeTimeout / 4, std::chrono::milliseconds(500));
+  const Clock::duration helloTimeout = context_.options.helloTimeout;
+  const Clock::duration tick = std::min<Clock::duration>(std::min(writeTimeout, helloTimeout) / 4, kLongestTick);
   while (!ended_) {
     check_.expires_after(tick);
     co_await check_.async_wait(kAsTuple);
@@ -160,8 +180,10 @@ asio::awaitable<void> Session::watch() {
     const auto now = Clock::now();
     if (now >= closeBy_) {
       cutOff("did not answer the close frame");
+    } else if (!protocol_.joined() && now - connected_ >= helloTimeout) {
+      close({CloseCode::PolicyViolation, "no Hello has come"});
     } else if (writing_ &&
-               now - std::max(writeStarted_, socket_.next_layer().rate_policy().lastWrite()) >= writeTimeout) {
+               now - std::max(writeStarted_, socket_.next_layer().tcp().rate_policy().lastWrite()) >= writeTimeout) {
       cutOff("took no bytes for too long");
     }
   }

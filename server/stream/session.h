@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "message_budget.h"
 #include "outbox.h"
 #include "server_context.h"
 #include "session_protocol.h"
@@ -23,7 +24,8 @@ class Session : public std::enable_shared_from_this<Session> {
  public:
   using Upgrade = beast::http::request<beast::http::string_body>;
 
-  Session(core::ViewerId viewer, Transport&& transport, ServerContext& context);
+  /// `shownToken` is what the handshake carried, or empty.
+  Session(core::ViewerId viewer, Transport&& transport, std::string shownToken, ServerContext& context);
 
   /// Accepts the handshake, then serves the viewer until the connection ends. Call once, on the strand.
   asio::awaitable<void> run(Upgrade upgrade);
@@ -45,6 +47,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
   void configure();
   asio::awaitable<std::string> readMessages();
+  asio::awaitable<void> keepBudget();
   asio::awaitable<void> writeMessages();
   asio::awaitable<void> watch();
   asio::awaitable<bool> write(const std::string& message);
@@ -60,6 +63,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Outbox outbox_;
   SessionProtocol protocol_;
   beast::flat_buffer incoming_;
+  MessageBudget budget_;
+  const Clock::time_point connected_ = Clock::now();
   asio::steady_timer wake_;   // Never expires; cancelled to wake the writer.
   asio::steady_timer check_;  // Paces `watch`.
   bool ended_ = false;

@@ -1,5 +1,7 @@
 #include "session_protocol.h"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -16,13 +18,29 @@ struct Refusal {
   std::string problem;
 };
 
+// A viewer that may not be here; the connection is closed.
+struct Intruder {};
+
 // Bytes of Hello.client that are kept, for the log.
 constexpr std::size_t kMaxClientName = 100;
 
+// Without what would let a name forge lines of a log or control a terminal.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return text;
+}
+
 }  // namespace
 
-SessionProtocol::SessionProtocol(core::ViewerId viewer, const v1::Limits& limits, Backend& backend, Outbox& outbox)
-    : viewer_(viewer), limits_(limits), backend_(backend), outbox_(outbox) {}
+SessionProtocol::SessionProtocol(core::ViewerId viewer, const v1::Limits& limits, const Access& access,
+                                 std::string shownToken, Backend& backend, Outbox& outbox)
+    : viewer_(viewer),
+      limits_(limits),
+      access_(access),
+      shownToken_(std::move(shownToken)),
+      backend_(backend),
+      outbox_(outbox) {}
 
 std::optional<CloseReason> SessionProtocol::onMessage(std::string_view bytes) {
   v1::ClientMessage message;
@@ -38,6 +56,8 @@ std::optional<CloseReason> SessionProtocol::onMessage(std::string_view bytes) {
     }
     lastSequence_ = sequence;
     dispatch(message);
+  } catch (const Intruder&) {
+    return CloseReason{CloseCode::PolicyViolation, "the token is missing or wrong"};
   } catch (const Refusal& refusal) {
     replyError(sequence, v1::Error::REFUSED, "", refusal.problem);
   } catch (const core::InputError& error) {
@@ -67,7 +87,7 @@ void SessionProtocol::dispatch(const v1::ClientMessage& message) {
     case Case::kHello:
       return hello(sequence, message.hello());
     case Case::kSetView:
-      return backend_.setView(viewer_, sequence, checkedView(message.set_view(), limits_, codecs_));
+      return setView(sequence, message.set_view());
     case Case::kSetCamera:
       return setCamera(sequence, message.set_camera());
     case Case::kUpdateScene:
@@ -80,6 +100,12 @@ void SessionProtocol::dispatch(const v1::ClientMessage& message) {
       return acknowledge(message.frame_ack());
     case Case::kSnapshot:
       return snapshot(sequence, message.snapshot());
+    case Case::kKeyframe:
+      return backend_.requestKeyframe(viewer_);
+    case Case::kInteract:
+      return interact(sequence, message.interact());
+    case Case::kPick:
+      return pick(sequence, message.pick());
     case Case::kPing:
       return pong(sequence, message.ping());
     case Case::MESSAGE_NOT_SET:
@@ -91,7 +117,11 @@ void SessionProtocol::dispatch(const v1::ClientMessage& message) {
 
 void SessionProtocol::hello(std::uint64_t sequence, const v1::Hello& hello) {
   if (joined()) throw Refusal{"Hello was said before"};
-  client_ = hello.client().substr(0, kMaxClientName);
+  const std::optional<v1::Role> role =
+      access_.roleFor(hello.token().empty() ? shownToken_ : hello.token(), hello.role());
+  if (!role) throw Intruder{};
+  role_ = *role;
+  client_ = printable(hello.client().substr(0, kMaxClientName));
 
   // From here on the viewer takes part in broadcasts, so that no change of the scene falls between the Welcome, which
   // shows the scene as it is now, and the join; `hold` keeps them behind the Welcome.
@@ -100,6 +130,7 @@ void SessionProtocol::hello(std::uint64_t sequence, const v1::Hello& hello) {
   try {
     v1::Welcome welcome = backend_.welcome();
     welcome.set_viewer_id(viewer_);
+    welcome.set_role(role_);
     *welcome.mutable_limits() = limits_;
     codecs_.clear();
     for (const int codec : welcome.codecs()) codecs_.push_back(static_cast<v1::Codec>(codec));
@@ -112,7 +143,13 @@ void SessionProtocol::hello(std::uint64_t sequence, const v1::Hello& hello) {
     outbox_.release(nullptr);
     throw;
   }
-  backend_.join(viewer_);
+  backend_.join(viewer_, {client_, role_});
+}
+
+void SessionProtocol::setView(std::uint64_t sequence, const v1::SetView& request) {
+  View view = checkedView(request, limits_, codecs_);
+  if (view.follow == viewer_) throw core::InputError("", "set_view.follow", "is this viewer itself");
+  backend_.setView(viewer_, sequence, view);
 }
 
 void SessionProtocol::setCamera(std::uint64_t sequence, const v1::SetCamera& request) {
@@ -120,20 +157,30 @@ void SessionProtocol::setCamera(std::uint64_t sequence, const v1::SetCamera& req
   backend_.setCamera(viewer_, sequence, checkedCamera(request.camera()));
 }
 
+void SessionProtocol::requireDriver() const {
+  if (role_ != v1::DRIVER) throw Refusal{"spectators cannot change the scene"};
+}
+
 void SessionProtocol::updateScene(std::uint64_t sequence, const v1::UpdateScene& request) {
+  requireDriver();
   if (request.mask().paths().empty()) throw core::InputError("", "mask", "names no field");
   backend_.updateScene(viewer_, sequence, request);
 }
 
 void SessionProtocol::control(std::uint64_t sequence, const v1::Control& request) {
+  requireDriver();
   if (request.action() == v1::Control::ACTION_UNSPECIFIED || !v1::Control::Action_IsValid(request.action())) {
     throw core::InputError("", "control.action",
                            std::to_string(request.action()) + " is none of PLAY, PAUSE, STEP, RESET");
   }
-  backend_.control(viewer_, sequence, request.action());
+  if (!std::isfinite(request.until_seconds())) {
+    throw core::InputError("", "control.until_seconds", "is no finite number");
+  }
+  backend_.control(viewer_, sequence, request);
 }
 
 void SessionProtocol::loadScene(std::uint64_t sequence, const v1::LoadScene& request) {
+  requireDriver();
   if (request.scene_case() == v1::LoadScene::SCENE_NOT_SET) {
     throw core::InputError("", "load_scene", "needs a name or a text");
   }
@@ -155,6 +202,16 @@ void SessionProtocol::snapshot(std::uint64_t sequence, const v1::SnapshotRequest
   if (!outbox_.admitSnapshot(sequence)) throw Refusal{"too many snapshots are under way"};
   // Should the backend refuse, the Error that answers this sequence number settles the snapshot too.
   backend_.snapshot(viewer_, sequence, size, camera);
+}
+
+void SessionProtocol::interact(std::uint64_t sequence, const v1::Interact& request) {
+  requireDriver();
+  checkInteract(request);
+  backend_.interact(viewer_, sequence, request);
+}
+
+void SessionProtocol::pick(std::uint64_t sequence, const v1::Pick& request) {
+  backend_.pick(viewer_, sequence, checkedPick(request));
 }
 
 void SessionProtocol::pong(std::uint64_t sequence, const v1::Ping& ping) {

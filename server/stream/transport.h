@@ -2,12 +2,19 @@
 
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/as_tuple.hpp>
+#include <boost/asio/awaitable.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/core/basic_stream.hpp>
+#include <boost/beast/websocket/ssl.hpp>
+#include <boost/beast/websocket/teardown.hpp>
 #include <chrono>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace sluice::stream {
 
@@ -38,7 +45,68 @@ class WriteProgress {
   std::chrono::steady_clock::time_point lastWrite_;
 };
 
-/// A TCP connection on its strand.
-using Transport = beast::basic_stream<asio::ip::tcp, asio::any_io_executor, WriteProgress>;
+/// A TCP connection on its strand, with TLS over it where the server has a certificate. An AsyncStream in Asio's terms,
+/// one type for both, so that all that stands on it is compiled once. Movable.
+class Transport {
+ public:
+  using Tcp = beast::basic_stream<asio::ip::tcp, asio::any_io_executor, WriteProgress>;
+  using executor_type = Tcp::executor_type;  // NOLINT(readability-identifier-naming): Asio's name.
+
+  /// `tls` is null for a plain connection; else it must outlive the transport.
+  Transport(asio::ip::tcp::socket socket, asio::ssl::context* tls) : tcp_(std::make_unique<Tcp>(std::move(socket))) {
+    if (tls != nullptr) tls_ = std::make_unique<Tls>(*tcp_, *tls);
+  }
+
+  executor_type get_executor() { return tcp_->get_executor(); }
+  Tcp& tcp() { return *tcp_; }
+  const Tcp& tcp() const { return *tcp_; }
+  bool encrypted() const { return tls_ != nullptr; }
+
+  /// To be done before anything is read or written. Nothing to do for a plain connection.
+  asio::awaitable<beast::error_code> handshake() {
+    if (!tls_) co_return beast::error_code();
+    const auto [error] = co_await tls_->async_handshake(asio::ssl::stream_base::server, kAsTuple);
+    co_return error;
+  }
+
+  void close() { tcp_->close(); }
+
+  template <class Buffers, class Token>
+  auto async_read_some(const Buffers& buffers, Token&& token) {
+    return tls_ ? tls_->async_read_some(buffers, std::forward<Token>(token))
+                : tcp_->async_read_some(buffers, std::forward<Token>(token));
+  }
+
+  template <class Buffers, class Token>
+  auto async_write_some(const Buffers& buffers, Token&& token) {
+    return tls_ ? tls_->async_write_some(buffers, std::forward<Token>(token))
+                : tcp_->async_write_some(buffers, std::forward<Token>(token));
+  }
+
+  // What Beast's WebSocket calls, by argument-dependent look-up, when a connection ends.
+
+  friend void teardown(beast::role_type role, Transport& transport, beast::error_code& error) {
+    using beast::websocket::teardown;
+    teardown(role, transport.tcp_->socket(), error);
+  }
+
+  template <class Handler>
+  friend void async_teardown(beast::role_type role, Transport& transport, Handler&& handler) {
+    using beast::websocket::async_teardown;
+    if (transport.tls_) {
+      async_teardown(role, *transport.tls_, std::forward<Handler>(handler));
+    } else {
+      async_teardown(role, *transport.tcp_, std::forward<Handler>(handler));
+    }
+  }
+
+  friend void beast_close_socket(Transport& transport) { transport.close(); }
+
+ private:
+  using Tls = asio::ssl::stream<Tcp&>;
+
+  std::unique_ptr<Tcp> tcp_;
+  std::unique_ptr<Tls> tls_;
+};
 
 }  // namespace sluice::stream

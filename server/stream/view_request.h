@@ -20,6 +20,11 @@ core::ImageSize checkedSize(std::uint32_t width, std::uint32_t height, const v1:
 /// `codecs` are those that the server offers.
 View checkedView(const v1::SetView& request, const v1::Limits& limits, std::span<const v1::Codec> codecs);
 
+/// Finite, of a direction, and within bounds that keep a run stable.
+void checkInteract(const v1::Interact& request);
+
+PickPoint checkedPick(const v1::Pick& request);
+
 /// Missing fields take the defaults of the schema.
 core::Camera checkedCamera(v1::Camera camera);
 

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <utility>
 
-#include "codec.h"
 #include "sluice/core/check.h"
+#include "sluice/stream/codec.h"
 
 namespace sluice::stream {
 
@@ -21,17 +21,21 @@ constexpr std::uint32_t lengthDelimitedTag(int field) {
 }
 
 // Every field of the Frame but the payload.
-v1::Frame header(const core::EncodedFrame& frame) {
+v1::Frame header(const core::EncodedFrame& frame, const core::Delivery& delivery) {
   v1::Frame header;
-  header.set_frame_id(frame.tag.frameId);
+  header.set_frame_id(delivery.frameId);
   header.set_codec(toProto(frame.codec));
   header.set_width(static_cast<std::uint32_t>(frame.size.width));
   header.set_height(static_cast<std::uint32_t>(frame.size.height));
   header.set_keyframe(frame.keyframe);
-  header.set_reflects_sequence(frame.tag.reflectsSequence);
+  header.set_reflects_sequence(delivery.reflectsSequence);
+  if (delivery.askedAt) {
+    header.set_response_milliseconds(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - *delivery.askedAt).count());
+  }
   header.set_simulation_time(frame.tag.simulationTime);
   header.set_snapshot_sequence(frame.tag.snapshotSequence);
-  header.set_snapshot(frame.tag.inReplyTo != 0);
+  header.set_snapshot(delivery.inReplyTo != 0);
   header.set_still(frame.tag.still);
   header.set_quality(static_cast<std::uint32_t>(frame.quality));
   header.set_decoder(frame.decoder);
@@ -50,13 +54,13 @@ WireMessage toWire(const v1::ServerMessage& message) {
   return std::make_shared<const std::string>(message.SerializeAsString());
 }
 
-WireMessage toWire(const core::EncodedFrame& frame) {
+WireMessage toWire(const core::EncodedFrame& frame, const core::Delivery& delivery) {
   // The wire format lets the fields of a message stand in any order, so the payload can follow the rest of the Frame,
   // and the Frame the rest of the ServerMessage.
   v1::ServerMessage envelope;
-  envelope.set_in_reply_to(frame.tag.inReplyTo);
+  envelope.set_in_reply_to(delivery.inReplyTo);
   const std::string before = envelope.SerializeAsString();
-  const std::string head = header(frame).SerializeAsString();
+  const std::string head = header(frame, delivery).SerializeAsString();
 
   constexpr std::uint32_t kFrameTag = lengthDelimitedTag(v1::ServerMessage::kFrameFieldNumber);
   constexpr std::uint32_t kPayloadTag = lengthDelimitedTag(v1::Frame::kPayloadFieldNumber);

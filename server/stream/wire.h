@@ -10,6 +10,6 @@ WireMessage toWire(const v1::ServerMessage& message);
 
 /// A ServerMessage with a Frame. The encoded picture is copied once, straight into the message: protobuf's own way
 /// would copy it into the Frame first.
-WireMessage toWire(const core::EncodedFrame& frame);
+WireMessage toWire(const core::EncodedFrame& frame, const core::Delivery& delivery);
 
 }  // namespace sluice::stream

@@ -53,7 +53,7 @@ v1::Welcome FakeBackend::welcome() {
   return welcome;
 }
 
-void FakeBackend::join(core::ViewerId viewer) {
+void FakeBackend::join(core::ViewerId viewer, const Visitor&) {
   const std::lock_guard lock(mutex_);
   ++counts_.joined;
   viewers_[viewer];
@@ -107,11 +107,30 @@ void FakeBackend::updateScene(core::ViewerId viewer, std::uint64_t sequence, con
   server_->send(viewer, done);
 }
 
-void FakeBackend::control(core::ViewerId viewer, std::uint64_t sequence, v1::Control::Action) {
+void FakeBackend::control(core::ViewerId viewer, std::uint64_t sequence, const v1::Control&) {
   {
     const std::lock_guard lock(mutex_);
     ++counts_.controls;
   }
+  answerDone(viewer, sequence);
+}
+
+void FakeBackend::interact(core::ViewerId viewer, std::uint64_t sequence, const v1::Interact&) {
+  answerDone(viewer, sequence);
+}
+
+void FakeBackend::pick(core::ViewerId viewer, std::uint64_t sequence, const PickPoint& point) {
+  v1::ServerMessage message;
+  message.set_in_reply_to(sequence);
+  message.mutable_picked()->set_hit(point.x < 0.5);
+  server_->send(viewer, message);
+}
+
+void FakeBackend::metrics(MetricsText& text) const {
+  text.counter("sluice_controls_total", "Controls taken.", counts().controls);
+}
+
+void FakeBackend::answerDone(core::ViewerId viewer, std::uint64_t sequence) {
   v1::ServerMessage done;
   done.set_in_reply_to(sequence);
   done.mutable_done();
@@ -125,17 +144,16 @@ void FakeBackend::loadScene(core::ViewerId, std::uint64_t, const v1::LoadScene& 
 void FakeBackend::snapshot(core::ViewerId viewer, std::uint64_t sequence, core::ImageSize size,
                            const std::optional<core::Camera>&) {
   core::EncodedFrame frame;
-  frame.tag.viewer = viewer;
-  frame.tag.inReplyTo = sequence;
   frame.size = size;
   frame.bytes.assign(frameBytes_, std::uint8_t{7});
-  server_->sendFrame(viewer, frame);
+  server_->sendFrame(frame,
+                     {.viewer = viewer, .frameId = 0, .reflectsSequence = 0, .inReplyTo = sequence, .askedAt = {}});
 }
 
 void FakeBackend::makeFrames() {
   std::unique_lock lock(mutex_);
   while (!finishing_) {
-    std::vector<core::EncodedFrame> frames;
+    std::vector<Outgoing> frames;
     for (auto& [id, viewer] : viewers_) {
       const auto underWay = static_cast<std::uint32_t>(viewer.lastFrame - viewer.lastAcknowledged);
       mostUnderWay_ = std::max(mostUnderWay_, underWay);
@@ -148,23 +166,22 @@ void FakeBackend::makeFrames() {
       continue;
     }
     lock.unlock();
-    for (const core::EncodedFrame& frame : frames) server_->sendFrame(frame.tag.viewer, frame);
+    for (const Outgoing& outgoing : frames) server_->sendFrame(outgoing.frame, outgoing.delivery);
     lock.lock();
   }
 }
 
-core::EncodedFrame FakeBackend::frameFor(core::ViewerId id, const Viewer& viewer) const {
+FakeBackend::Outgoing FakeBackend::frameFor(core::ViewerId id, const Viewer& viewer) const {
   core::EncodedFrame frame;
-  frame.tag.viewer = id;
-  frame.tag.frameId = viewer.lastFrame;
-  frame.tag.reflectsSequence = viewer.reflects;
   frame.tag.stages = {{"splats", 1.0}, {"encode", 2.0}};
   frame.size = viewer.view->size;
-  frame.codec = viewer.view->codec;
+  frame.codec = viewer.view->codecs.front();
   const std::string text = payloadFor(viewer.camera.eye.x());
   frame.bytes.assign(text.begin(), text.end());
   frame.bytes.resize(std::max(frameBytes_, text.size()));
-  return frame;
+  return {
+      std::move(frame),
+      {.viewer = id, .frameId = viewer.lastFrame, .reflectsSequence = viewer.reflects, .inReplyTo = 0, .askedAt = {}}};
 }
 
 }  // namespace sluice::stream::test

@@ -41,16 +41,20 @@ class FakeBackend final : public Backend {
   std::uint32_t mostUnderWay() const;
 
   v1::Welcome welcome() override;
-  void join(core::ViewerId viewer) override;
+  void join(core::ViewerId viewer, const Visitor& visitor) override;
   void leave(core::ViewerId viewer) override;
   void setView(core::ViewerId viewer, std::uint64_t sequence, const View& view) override;
   void setCamera(core::ViewerId viewer, std::uint64_t sequence, const core::Camera& camera) override;
   void acknowledge(core::ViewerId viewer, std::uint64_t frameId) override;
   void updateScene(core::ViewerId viewer, std::uint64_t sequence, const v1::UpdateScene& update) override;
-  void control(core::ViewerId viewer, std::uint64_t sequence, v1::Control::Action action) override;
+  void control(core::ViewerId viewer, std::uint64_t sequence, const v1::Control& control) override;
   void loadScene(core::ViewerId viewer, std::uint64_t sequence, const v1::LoadScene& scene) override;
   void snapshot(core::ViewerId viewer, std::uint64_t sequence, core::ImageSize size,
                 const std::optional<core::Camera>& camera) override;
+  void requestKeyframe(core::ViewerId) override {}
+  void interact(core::ViewerId viewer, std::uint64_t sequence, const v1::Interact& interact) override;
+  void pick(core::ViewerId viewer, std::uint64_t sequence, const PickPoint& point) override;
+  void metrics(MetricsText& text) const override;
 
  private:
   struct Viewer {
@@ -62,7 +66,12 @@ class FakeBackend final : public Backend {
   };
 
   void makeFrames();
-  core::EncodedFrame frameFor(core::ViewerId id, const Viewer& viewer) const;
+  struct Outgoing {
+    core::EncodedFrame frame;
+    core::Delivery delivery;
+  };
+  Outgoing frameFor(core::ViewerId id, const Viewer& viewer) const;
+  void answerDone(core::ViewerId viewer, std::uint64_t sequence);
 
   const std::size_t frameBytes_;
   const std::uint32_t window_;

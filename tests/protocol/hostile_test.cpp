@@ -95,11 +95,15 @@ TEST(HostileViewer, FramesBeyondTheWindowAreDroppedByTheServerItself) {
   frame.size = {8, 8};
   frame.bytes.assign(100, 1);
   std::vector<SendResult> results;
-  for (frame.tag.frameId = 1; frame.tag.frameId <= 5; ++frame.tag.frameId) {
-    results.push_back(server->sendFrame(id, frame));
+  core::Delivery delivery;
+  delivery.viewer = id;
+  for (delivery.frameId = 1; delivery.frameId <= 5; ++delivery.frameId) {
+    results.push_back(server->sendFrame(frame, delivery));
   }
   for (std::size_t i = 0; i < results.size(); ++i) EXPECT_EQ(results[i] == SendResult::Dropped, i >= 2) << i;
-  EXPECT_EQ(server->sendFrame(id + 1, frame), SendResult::Gone);
+  core::Delivery nobody;
+  nobody.viewer = id + 1;
+  EXPECT_EQ(server->sendFrame(frame, nobody), SendResult::Gone);
   EXPECT_EQ(viewer.nextFrame(false).frame_id(), 1U);
   EXPECT_EQ(viewer.nextFrame(false).frame_id(), 2U);
   EXPECT_FALSE(viewer.tryReceive(std::chrono::milliseconds(50)));

@@ -10,24 +10,28 @@
 #include <png.h>
 
 #include "sluice/scene/scene.h"
+#include "viewer/raw_socket.h"
 
 namespace sluice::test {
 
 namespace {
 
-app::ServiceOptions serviceOptions(const std::string& sceneText, stream::ServerOptions options) {
+app::ServiceOptions serviceOptions(const std::string& sceneText, stream::ServerOptions options,
+                                   app::SceneRunnerOptions runner) {
   options.port = 0;
   app::ServiceOptions service;
   service.scene.scene = scene::parse(sceneText, "test scene");
   service.server = std::move(options);
-  service.threads = 2;
+  service.runner = std::move(runner);
+  service.runner.threads = 2;
   return service;
 }
 
 }  // namespace
 
-RunningService::RunningService(const std::string& sceneText, stream::ServerOptions options)
-    : service_(serviceOptions(sceneText, std::move(options))), thread_([this] { service_.run(); }) {}
+RunningService::RunningService(const std::string& sceneText, stream::ServerOptions options,
+                               app::SceneRunnerOptions runner)
+    : service_(serviceOptions(sceneText, std::move(options), std::move(runner))), thread_([this] { service_.run(); }) {}
 
 RunningService::~RunningService() {
   service_.stop("the test is over");
@@ -91,10 +95,18 @@ v1::ClientMessage updateMessage(const std::string& sceneText, const std::vector<
   return message;
 }
 
-v1::ClientMessage controlMessage(v1::Control::Action action) {
+v1::ClientMessage controlMessage(v1::Control::Action action, double untilSeconds) {
   v1::ClientMessage message;
   message.mutable_control()->set_action(action);
+  message.mutable_control()->set_until_seconds(untilSeconds);
   return message;
+}
+
+double metric(std::uint16_t port, const std::string& name) {
+  const std::string page = httpGet(port, "/metrics");
+  const std::size_t line = page.find("\n" + name + " ");
+  if (line == std::string::npos) throw std::runtime_error("no metric " + name + " in: " + page);
+  return std::stod(page.substr(line + name.size() + 2));
 }
 
 }  // namespace sluice::test

@@ -25,7 +25,8 @@ inline constexpr const char* kSmallScene = R"(
 /// A service of its own, on a free port, for as long as it lives.
 class RunningService {
  public:
-  explicit RunningService(const std::string& sceneText = kSmallScene, stream::ServerOptions options = {});
+  explicit RunningService(const std::string& sceneText = kSmallScene, stream::ServerOptions options = {},
+                          app::SceneRunnerOptions runner = {});
   ~RunningService();
 
   std::uint16_t port() const { return service_.port(); }
@@ -56,6 +57,9 @@ v1::Camera cameraAt(double x, double y, double z);
 
 /// An UpdateScene of fields in text format with their mask.
 v1::ClientMessage updateMessage(const std::string& sceneText, const std::vector<std::string>& paths);
-v1::ClientMessage controlMessage(v1::Control::Action action);
+v1::ClientMessage controlMessage(v1::Control::Action action, double untilSeconds = 0);
+
+/// The value of a metric that the service tells; throws std::runtime_error where it tells none of that name.
+double metric(std::uint16_t port, const std::string& name);
 
 }  // namespace sluice::test

@@ -27,14 +27,18 @@ class AcknowledgingBackend final : public stream::Backend {
   std::counting_semaphore<> window{0};
 
   v1::Welcome welcome() override { return {}; }
-  void join(core::ViewerId) override {}
+  void join(core::ViewerId, const stream::Visitor&) override {}
   void leave(core::ViewerId) override {}
   void setView(core::ViewerId, std::uint64_t, const stream::View&) override {}
   void setCamera(core::ViewerId, std::uint64_t, const core::Camera&) override {}
   void acknowledge(core::ViewerId, std::uint64_t) override { window.release(); }
   void updateScene(core::ViewerId, std::uint64_t, const v1::UpdateScene&) override {}
-  void control(core::ViewerId, std::uint64_t, v1::Control::Action) override {}
+  void control(core::ViewerId, std::uint64_t, const v1::Control&) override {}
   void loadScene(core::ViewerId, std::uint64_t, const v1::LoadScene&) override {}
+  void requestKeyframe(core::ViewerId) override {}
+  void interact(core::ViewerId, std::uint64_t, const v1::Interact&) override {}
+  void pick(core::ViewerId, std::uint64_t, const stream::PickPoint&) override {}
+  void metrics(stream::MetricsText&) const override {}
   void snapshot(core::ViewerId, std::uint64_t, core::ImageSize, const std::optional<core::Camera>&) override {}
 };
 
@@ -56,6 +60,8 @@ void streamFrames(benchmark::State& state) {
     }
   });
 
+  core::Delivery delivery;
+  delivery.viewer = id;
   core::EncodedFrame frame;
   frame.size = {1280, 720};
   frame.codec = core::Codec::Jpeg;
@@ -65,8 +71,8 @@ void streamFrames(benchmark::State& state) {
   const double senderBefore = threadSeconds(CLOCK_THREAD_CPUTIME_ID);
   for (auto _ : state) {
     backend.window.acquire();
-    ++frame.tag.frameId;
-    server.sendFrame(id, frame);
+    ++delivery.frameId;
+    server.sendFrame(frame, delivery);
   }
   const double frames = static_cast<double>(state.iterations());
   state.counters["io_ms"] = 1000 * (threadSeconds(ioClock) - ioBefore) / frames;

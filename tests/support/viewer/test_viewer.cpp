@@ -36,6 +36,7 @@ class TestViewer::Impl {
       namespace http = beast::http;
       if (!options.subprotocol.empty()) request.set(http::field::sec_websocket_protocol, options.subprotocol);
       if (!options.origin.empty()) request.set(http::field::origin, options.origin);
+      if (!options.token.empty()) request.set(http::field::authorization, "Bearer " + options.token);
     }));
     socket_.read_message_max(std::size_t{256} << 20U);
     socket_.binary(true);
@@ -184,6 +185,13 @@ v1::ServerMessage TestViewer::receiveReply(std::uint64_t sequence) {
     v1::ServerMessage message = receive();
     if (message.in_reply_to() == sequence) return message;
   }
+}
+
+v1::Welcome TestViewer::helloAs(v1::Role role, const std::string& token) {
+  v1::ClientMessage message;
+  message.mutable_hello()->set_role(role);
+  message.mutable_hello()->set_token(token);
+  return receiveReply(send(message)).welcome();
 }
 
 v1::Welcome TestViewer::hello(const std::string& client) {

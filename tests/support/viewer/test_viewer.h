@@ -42,6 +42,7 @@ struct ConnectOptions {
   std::string target = "/stream";
   std::string subprotocol = "sluice.v1";  ///< Empty: none is offered.
   std::string origin{};                   ///< Empty: none is sent.
+  std::string token{};                    ///< In an Authorization header; empty: none is sent.
   int receiveBufferBytes = 0;             ///< Of the socket; 0 leaves the system's.
 };
 
@@ -80,6 +81,8 @@ class TestViewer {
 
   /// Says Hello and returns the answer.
   v1::Welcome hello(const std::string& client = "test");
+  /// Says Hello with a token and a wish for a role.
+  v1::Welcome helloAs(v1::Role role, const std::string& token = {});
   std::uint64_t setView(std::uint32_t width, std::uint32_t height, const std::vector<v1::Codec>& codecs = {},
                         std::uint32_t quality = 0, double maxRate = 0);
   std::uint64_t setCamera(const v1::Camera& camera);

@@ -1,8 +1,11 @@
 #include "sluice/app/viewer_schedule.h"
 
 #include <chrono>
+#include <map>
 
 #include <gtest/gtest.h>
+
+#include "sluice/core/input_error.h"
 
 namespace sluice::app {
 namespace {
@@ -14,8 +17,30 @@ constexpr core::ViewerId kBob = 2;
 
 class ViewerScheduleTest : public testing::Test {
  protected:
-  static stream::View view(double maxRate = 1000) { return {.size = {640, 480}, .maxRate = maxRate}; }
-  std::optional<ViewerSchedule::Job> next(std::chrono::milliseconds at = 0ms) { return schedule_.next(start_ + at); }
+  static stream::View view(double maxRate = 1000) { return {.size = {640, 480}, .maxRate = maxRate, .stills = false}; }
+  /// The next job, drawn and encoded in no time.
+  std::optional<ViewerSchedule::Job> next(std::chrono::milliseconds at = 0ms) {
+    std::optional<ViewerSchedule::Job> job = schedule_.next(start_ + at);
+    if (job) {
+      schedule_.drawn(*job, 0.001);
+      schedule_.encoded(job->owner);
+    }
+    return job;
+  }
+
+  /// Its only viewer's share.
+  static const core::Delivery& share(const std::optional<ViewerSchedule::Job>& job) {
+    return job.value().encodings.at(0).deliveries.at(0);
+  }
+
+  /// All who were sent it have drawn it.
+  void finish(const ViewerSchedule::Job& job, std::chrono::milliseconds at) {
+    for (const ViewerSchedule::Encoding& encoding : job.encodings) {
+      for (const core::Delivery& delivery : encoding.deliveries) {
+        schedule_.acknowledge(delivery.viewer, delivery.frameId, start_ + at);
+      }
+    }
+  }
 
   ViewerSchedule::Clock::time_point start_ = ViewerSchedule::Clock::now();
   ViewerSchedule schedule_{2};
@@ -29,12 +54,12 @@ TEST_F(ViewerScheduleTest, DrawsNothingBeforeAView) {
 
 TEST_F(ViewerScheduleTest, DrawsOnceUntilSomethingChanges) {
   schedule_.join(kAnn, {});
-  schedule_.setView(kAnn, 1, view());
+  schedule_.setView(kAnn, 1, view(), start_);
   const auto job = next();
   ASSERT_TRUE(job);
-  EXPECT_EQ(job->viewer, kAnn);
-  EXPECT_EQ(job->frameId, 1U);
-  EXPECT_EQ(job->reflectsSequence, 1U);
+  EXPECT_EQ(share(job).viewer, kAnn);
+  EXPECT_EQ(share(job).frameId, 1U);
+  EXPECT_EQ(share(job).reflectsSequence, 1U);
   EXPECT_FALSE(next(1s));
   schedule_.contentChanged();
   EXPECT_TRUE(next(1s));
@@ -42,41 +67,41 @@ TEST_F(ViewerScheduleTest, DrawsOnceUntilSomethingChanges) {
 
 TEST_F(ViewerScheduleTest, OnlyTheNewestCameraIsDrawn) {
   schedule_.join(kAnn, {});
-  schedule_.setView(kAnn, 1, view());
+  schedule_.setView(kAnn, 1, view(), start_);
   core::Camera last;
   for (std::uint64_t sequence = 2; sequence <= 9; ++sequence) {
     last.eye.x() = static_cast<float>(sequence);
-    schedule_.setCamera(kAnn, sequence, last);
+    schedule_.setCamera(kAnn, sequence, last, start_);
   }
   const auto job = next();
   ASSERT_TRUE(job);
-  EXPECT_EQ(job->reflectsSequence, 9U);
+  EXPECT_EQ(share(job).reflectsSequence, 9U);
   EXPECT_EQ(job->camera, last);
   EXPECT_FALSE(next(1s));
 }
 
 TEST_F(ViewerScheduleTest, KeepsAtMostTheWindowUnderWay) {
   schedule_.join(kAnn, {});
-  schedule_.setView(kAnn, 1, view());
+  schedule_.setView(kAnn, 1, view(), start_);
   int drawn = 0;
   for (auto at = 0ms; at < 1s; at += 10ms) {
     schedule_.contentChanged();
     if (next(at)) ++drawn;
   }
   EXPECT_EQ(drawn, 2);
-  schedule_.acknowledge(kAnn, 1);
+  schedule_.acknowledge(kAnn, 1, start_);
   EXPECT_TRUE(next(2s));
   EXPECT_FALSE(next(3s));
 }
 
 TEST_F(ViewerScheduleTest, AcknowledgingAFrameCoversEarlierOnes) {
   schedule_.join(kAnn, {});
-  schedule_.setView(kAnn, 1, view());
+  schedule_.setView(kAnn, 1, view(), start_);
   next(0ms);
   schedule_.contentChanged();
   next(10ms);
-  schedule_.acknowledge(kAnn, 2);
-  schedule_.acknowledge(kAnn, 1);  // late, and without effect
+  schedule_.acknowledge(kAnn, 2, start_);
+  schedule_.acknowledge(kAnn, 1, start_);  // late, and without effect
   for (int frame = 0; frame < 2; ++frame) {
     schedule_.contentChanged();
     EXPECT_TRUE(next(1s + frame * 10ms)) << frame;
@@ -85,8 +110,8 @@ TEST_F(ViewerScheduleTest, AcknowledgingAFrameCoversEarlierOnes) {
 
 TEST_F(ViewerScheduleTest, AcknowledgingWhatWasNeverDrawnOpensNothing) {
   schedule_.join(kAnn, {});
-  schedule_.setView(kAnn, 1, view());
-  schedule_.acknowledge(kAnn, 1000);
+  schedule_.setView(kAnn, 1, view(), start_);
+  schedule_.acknowledge(kAnn, 1000, start_);
   int drawn = 0;
   for (auto at = 0ms; at < 1s; at += 10ms) {
     schedule_.contentChanged();
@@ -97,13 +122,13 @@ TEST_F(ViewerScheduleTest, AcknowledgingWhatWasNeverDrawnOpensNothing) {
 
 TEST_F(ViewerScheduleTest, StaysBelowTheRateAsked) {
   schedule_.join(kAnn, {});
-  schedule_.setView(kAnn, 1, view(10));
+  schedule_.setView(kAnn, 1, view(10), start_);
   int drawn = 0;
   for (auto at = 0ms; at < 1s; at += 5ms) {
     schedule_.contentChanged();
     if (const auto job = next(at)) {
       ++drawn;
-      schedule_.acknowledge(kAnn, job->frameId);
+      finish(*job, at);
     }
   }
   EXPECT_EQ(drawn, 10);
@@ -111,12 +136,12 @@ TEST_F(ViewerScheduleTest, StaysBelowTheRateAsked) {
 
 TEST_F(ViewerScheduleTest, TellsWhenTheRateAllowsTheNext) {
   schedule_.join(kAnn, {});
-  EXPECT_FALSE(schedule_.nextDue());
-  schedule_.setView(kAnn, 1, view(10));
+  EXPECT_FALSE(schedule_.nextDue(start_));
+  schedule_.setView(kAnn, 1, view(10), start_);
   next();
-  EXPECT_FALSE(schedule_.nextDue()) << "nothing changed";
+  EXPECT_FALSE(schedule_.nextDue(start_)) << "nothing changed";
   schedule_.contentChanged();
-  EXPECT_EQ(schedule_.nextDue(), start_ + 100ms);
+  EXPECT_EQ(schedule_.nextDue(start_), start_ + 100ms);
   EXPECT_FALSE(next(99ms));
   EXPECT_TRUE(next(100ms));
 }
@@ -124,15 +149,15 @@ TEST_F(ViewerScheduleTest, TellsWhenTheRateAllowsTheNext) {
 TEST_F(ViewerScheduleTest, ServesViewersInTurn) {
   for (const core::ViewerId viewer : {kAnn, kBob}) {
     schedule_.join(viewer, {});
-    schedule_.setView(viewer, 1, view());
+    schedule_.setView(viewer, 1, view(), start_);
   }
   int annsTurns = 0;
   for (int k = 0; k < 100; ++k) {
     schedule_.contentChanged();
     const auto job = next(k * 10ms);
     ASSERT_TRUE(job);
-    annsTurns += job->viewer == kAnn ? 1 : 0;
-    schedule_.acknowledge(job->viewer, job->frameId);
+    annsTurns += share(job).viewer == kAnn ? 1 : 0;
+    finish(*job, k * 10ms);
   }
   EXPECT_EQ(annsTurns, 50);
 }
@@ -140,15 +165,15 @@ TEST_F(ViewerScheduleTest, ServesViewersInTurn) {
 TEST_F(ViewerScheduleTest, AViewerThatNeverAcknowledgesDelaysNobody) {
   for (const core::ViewerId viewer : {kAnn, kBob}) {
     schedule_.join(viewer, {});
-    schedule_.setView(viewer, 1, view());
+    schedule_.setView(viewer, 1, view(), start_);
   }
   int bobs = 0;
   for (int k = 0; k < 50; ++k) {
     schedule_.contentChanged();
     for (auto job = next(k * 10ms); job; job = next(k * 10ms)) {
-      if (job->viewer != kBob) continue;
+      if (share(job).viewer != kBob) continue;
       ++bobs;
-      schedule_.acknowledge(kBob, job->frameId);
+      finish(*job, k * 10ms);
     }
   }
   EXPECT_EQ(bobs, 50);
@@ -156,7 +181,7 @@ TEST_F(ViewerScheduleTest, AViewerThatNeverAcknowledgesDelaysNobody) {
 
 TEST_F(ViewerScheduleTest, SnapshotsStandOutsideTheWindow) {
   schedule_.join(kAnn, {});
-  schedule_.setView(kAnn, 1, view());
+  schedule_.setView(kAnn, 1, view(), start_);
   next(0ms);
   schedule_.contentChanged();
   next(10ms);
@@ -166,9 +191,9 @@ TEST_F(ViewerScheduleTest, SnapshotsStandOutsideTheWindow) {
   EXPECT_FALSE(schedule_.requestSnapshot(kAnn, 6, {100, 50}, aside)) << "one at a time";
   const auto job = next(20ms);
   ASSERT_TRUE(job);
-  EXPECT_EQ(job->inReplyTo, 5U);
-  EXPECT_EQ(job->view.size, (core::ImageSize{100, 50}));
-  EXPECT_EQ(job->view.codec, core::Codec::Png);
+  EXPECT_EQ(share(job).inReplyTo, 5U);
+  EXPECT_EQ(job->size, (core::ImageSize{100, 50}));
+  EXPECT_EQ(job->encodings.at(0).settings.codec, core::Codec::Png);
   EXPECT_EQ(job->camera, aside);
 }
 
@@ -177,9 +202,9 @@ TEST_F(ViewerScheduleTest, StartCameraMovesOnlyThoseWithoutTheirOwn) {
   own.eye.x() = 7;
   for (const core::ViewerId viewer : {kAnn, kBob}) {
     schedule_.join(viewer, {});
-    schedule_.setView(viewer, 1, view());
+    schedule_.setView(viewer, 1, view(), start_);
   }
-  schedule_.setCamera(kAnn, 2, own);
+  schedule_.setCamera(kAnn, 2, own, start_);
   core::Camera start;
   start.eye.x() = -3;
   schedule_.setStartCamera(start);
@@ -189,12 +214,214 @@ TEST_F(ViewerScheduleTest, StartCameraMovesOnlyThoseWithoutTheirOwn) {
 
 TEST_F(ViewerScheduleTest, ViewersThatLeftAreForgotten) {
   schedule_.join(kAnn, {});
-  schedule_.setView(kAnn, 1, view());
+  schedule_.setView(kAnn, 1, view(), start_);
   schedule_.leave(kAnn);
-  schedule_.setCamera(kAnn, 2, {});
+  schedule_.setCamera(kAnn, 2, {}, start_);
   EXPECT_FALSE(next());
   EXPECT_FALSE(schedule_.requestSnapshot(kAnn, 3, {1, 1}, std::nullopt));
   EXPECT_EQ(schedule_.size(), 0U);
+}
+
+/// Viewers that follow Ann, with video.
+class FollowingTest : public ViewerScheduleTest {
+ protected:
+  static constexpr core::ViewerId kFollowers = 16;
+
+  static stream::View video(core::ViewerId follow = 0) {
+    stream::View asked = view();
+    asked.codecs = {core::Codec::H264, core::Codec::Jpeg};
+    asked.follow = follow;
+    return asked;
+  }
+
+  void joinAll() {
+    for (core::ViewerId viewer = kAnn; viewer <= kFollowers; ++viewer) {
+      schedule_.join(viewer, {});
+      schedule_.setView(viewer, 1, video(viewer == kAnn ? 0 : kAnn), start_);
+    }
+  }
+};
+
+TEST_F(FollowingTest, OnePictureIsEncodedOnceForAll) {
+  joinAll();
+  const auto job = next();
+  ASSERT_TRUE(job);
+  ASSERT_EQ(job->encodings.size(), 1U);
+  EXPECT_EQ(job->encodings[0].deliveries.size(), kFollowers);
+  EXPECT_TRUE(job->encodings[0].keyframe);
+  EXPECT_FALSE(next()) << "nobody is left to serve";
+}
+
+TEST_F(FollowingTest, FollowersSeeWithTheLeadersCameraInItsSize) {
+  schedule_.join(kAnn, {});
+  schedule_.join(kBob, {});
+  stream::View large = view();
+  large.size = {800, 600};
+  schedule_.setView(kAnn, 1, large, start_);
+  stream::View following = view();
+  following.follow = kAnn;
+  schedule_.setView(kBob, 1, following, start_);
+  finish(*next(), 0ms);
+  core::Camera camera;
+  camera.eye.x() = 9;
+  schedule_.setCamera(kAnn, 2, camera, start_);
+  const auto job = next(10ms);
+  ASSERT_TRUE(job);
+  EXPECT_EQ(job->owner, kAnn);
+  EXPECT_EQ(job->camera, camera);
+  EXPECT_EQ(job->size, (core::ImageSize{800, 600}));
+  EXPECT_EQ(job->encodings.at(0).deliveries.size(), 2U);
+}
+
+TEST_F(FollowingTest, OthersCodecsGetAnEncodingOfTheSamePicture) {
+  schedule_.join(kAnn, {});
+  schedule_.join(kBob, {});
+  schedule_.setView(kAnn, 1, video(), start_);
+  stream::View jpeg = view();
+  jpeg.follow = kAnn;
+  schedule_.setView(kBob, 1, jpeg, start_);
+  const auto job = next();
+  ASSERT_TRUE(job);
+  EXPECT_EQ(job->encodings.size(), 2U);
+}
+
+TEST_F(FollowingTest, ASlowFollowerIsPartedFromTheOthers) {
+  joinAll();
+  const core::ViewerId slow = 3;
+  std::map<core::ViewerId, int> frames;
+  bool apart = false;
+  for (auto at = 0ms; at < 3s; at += 10ms) {
+    schedule_.contentChanged();
+    for (auto job = next(at); job; job = next(at)) {
+      for (const ViewerSchedule::Encoding& encoding : job->encodings) {
+        apart = apart || encoding.stream->apart == slow;
+        for (const core::Delivery& delivery : encoding.deliveries) {
+          ++frames[delivery.viewer];
+          if (delivery.viewer != slow) schedule_.acknowledge(delivery.viewer, delivery.frameId, start_ + at);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(frames[slow], 2) << "the window";
+  EXPECT_GT(frames[kAnn], 280) << "of 300";
+  schedule_.acknowledge(slow, 2, start_ + 3s);
+  schedule_.contentChanged();
+  for (auto job = next(3s); job; job = next(3s)) {
+    for (const ViewerSchedule::Encoding& encoding : job->encodings) {
+      if (encoding.stream->apart != slow) continue;
+      apart = true;
+      EXPECT_TRUE(encoding.keyframe) << "deltas were left out";
+    }
+  }
+  EXPECT_TRUE(apart);
+}
+
+TEST_F(FollowingTest, NobodyFollowsInCircles) {
+  schedule_.join(kAnn, {});
+  schedule_.join(kBob, {});
+  schedule_.setView(kAnn, 1, video(), start_);
+  schedule_.setView(kBob, 1, video(kAnn), start_);
+  EXPECT_THROW(schedule_.setView(kAnn, 2, video(kBob), start_), core::InputError);
+  EXPECT_THROW(schedule_.setView(kAnn, 2, video(77), start_), core::InputError);
+}
+
+TEST_F(FollowingTest, FollowersOfOneWhoLeavesSeeWithTheirOwnEyes) {
+  schedule_.join(kAnn, {});
+  schedule_.join(kBob, {});
+  schedule_.setView(kAnn, 1, video(), start_);
+  schedule_.setView(kBob, 1, video(kAnn), start_);
+  finish(*next(), 0ms);
+  schedule_.leave(kAnn);
+  const auto job = next(10ms);
+  ASSERT_TRUE(job);
+  EXPECT_EQ(job->owner, kBob);
+}
+
+TEST_F(FollowingTest, AKeyframeComesAfterAFrameThatWasNotTaken) {
+  schedule_.join(kAnn, {});
+  schedule_.setView(kAnn, 1, video(), start_);
+  const auto first = next();
+  schedule_.sent(first->encodings[0].deliveries[0], {}, false, start_);
+  const auto again = next(10ms);
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(again->encodings.at(0).keyframe);
+  finish(*again, 10ms);
+  schedule_.contentChanged();
+  EXPECT_FALSE(next(20ms)->encodings.at(0).keyframe);
+  schedule_.requestKeyframe(kAnn);
+  EXPECT_TRUE(next(30ms)->encodings.at(0).keyframe);
+}
+
+TEST_F(ViewerScheduleTest, ALosslessStillComesWhenAllHasBeenAtRest) {
+  schedule_.join(kAnn, {});
+  stream::View asked = view();
+  asked.stills = true;
+  schedule_.setView(kAnn, 1, asked, start_);
+  const auto job = next();
+  EXPECT_FALSE(next(400ms)) << "the last frame is not drawn yet";
+  finish(*job, 10ms);
+  EXPECT_EQ(schedule_.nextDue(start_ + 10ms), start_ + 300ms);
+  EXPECT_FALSE(next(299ms));
+  const auto still = next(300ms);
+  ASSERT_TRUE(still);
+  EXPECT_TRUE(still->still);
+  EXPECT_EQ(still->encodings.at(0).settings.codec, core::Codec::Png);
+  EXPECT_FALSE(still->encodings.at(0).stream);
+  finish(*still, 310ms);
+  EXPECT_FALSE(next(2s)) << "once";
+  EXPECT_FALSE(schedule_.nextDue(start_ + 2s));
+}
+
+TEST_F(ViewerScheduleTest, NoStillWhileThingsMove) {
+  schedule_.join(kAnn, {});
+  stream::View asked = view();
+  asked.stills = true;
+  schedule_.setView(kAnn, 1, asked, start_);
+  for (auto at = 0ms; at < 2s; at += 50ms) {
+    schedule_.contentChanged();
+    const auto job = next(at);
+    ASSERT_TRUE(job);
+    EXPECT_FALSE(job->still);
+    finish(*job, at);
+  }
+}
+
+TEST_F(ViewerScheduleTest, TimeToDrawIsSharedFairlyWhateverThePicturesCost) {
+  for (const core::ViewerId viewer : {kAnn, kBob}) {
+    schedule_.join(viewer, {});
+    schedule_.setView(viewer, 1, view(), start_);
+  }
+  std::map<core::ViewerId, double> spent;
+  auto at = 0ms;
+  for (int k = 0; k < 300; ++k) {
+    schedule_.contentChanged();
+    const auto job = schedule_.next(start_ + at);
+    ASSERT_TRUE(job);
+    // Ann's pictures are ten times as large.
+    const auto cost = job->owner == kAnn ? 100ms : 10ms;
+    at += cost;
+    schedule_.drawn(*job, std::chrono::duration<double>(cost).count());
+    schedule_.encoded(job->owner);
+    spent[job->owner] += std::chrono::duration<double>(cost).count();
+    finish(*job, at);
+  }
+  EXPECT_NEAR(spent[kAnn] / spent[kBob], 1, 0.1);
+}
+
+TEST_F(ViewerScheduleTest, AtMostTwoPicturesOfAnOwnerAreDrawnAndNotEncoded) {
+  schedule_.join(kAnn, {});
+  schedule_.setView(kAnn, 1, view(), start_);
+  int drawn = 0;
+  for (int k = 0; k < 10; ++k) {
+    schedule_.contentChanged();
+    const auto job = schedule_.next(start_ + k * 10ms);
+    if (!job) continue;
+    ++drawn;
+    finish(*job, k * 10ms);
+  }
+  EXPECT_EQ(drawn, 2);
+  schedule_.encoded(kAnn);
+  EXPECT_TRUE(schedule_.next(start_ + 1s));
 }
 
 }  // namespace

@@ -15,7 +15,10 @@ namespace sluice::stream::test {
 /// A viewer, its protocol and its outbox, without a socket between them.
 class Conversation {
  public:
-  Conversation() : outbox({.frameWindow = 2}), protocol(5, limits(), backend, outbox) {}
+  explicit Conversation(Access admits = {}, std::string shownToken = {})
+      : access(std::move(admits)),
+        outbox({.frameWindow = 2}),
+        protocol(5, limits(), access, std::move(shownToken), backend, outbox) {}
 
   static v1::Limits limits() {
     v1::Limits limits;
@@ -60,6 +63,7 @@ class Conversation {
   }
 
   RecordingBackend backend;
+  const Access access;
   Outbox outbox;
   SessionProtocol protocol;
   std::uint64_t sequence = 0;

@@ -17,6 +17,8 @@ class RecordingBackend final : public Backend {
   std::function<void(const std::string& call)> onCall;
   std::optional<View> view;
   std::optional<core::Camera> camera;
+  std::optional<Visitor> visitor;
+  std::optional<PickPoint> point;
   std::vector<v1::Codec> codecs{v1::JPEG, v1::PNG};
 
   v1::Welcome welcome() override {
@@ -26,7 +28,10 @@ class RecordingBackend final : public Backend {
     for (const v1::Codec codec : codecs) welcome.add_codecs(codec);
     return welcome;
   }
-  void join(core::ViewerId viewer) override { record("join", viewer); }
+  void join(core::ViewerId viewer, const Visitor& who) override {
+    visitor = who;
+    record("join", viewer);
+  }
   void leave(core::ViewerId viewer) override { record("leave", viewer); }
   void setView(core::ViewerId, std::uint64_t sequence, const View& asked) override {
     view = asked;
@@ -40,8 +45,17 @@ class RecordingBackend final : public Backend {
   void updateScene(core::ViewerId, std::uint64_t sequence, const v1::UpdateScene&) override {
     record("updateScene", sequence);
   }
-  void control(core::ViewerId, std::uint64_t, v1::Control::Action action) override {
-    record(std::string("control ").append(v1::Control::Action_Name(action)));
+  void requestKeyframe(core::ViewerId viewer) override { record("requestKeyframe", viewer); }
+  void interact(core::ViewerId, std::uint64_t, const v1::Interact& interact) override {
+    record(std::string("interact ").append(v1::Interact::Action_Name(interact.action())));
+  }
+  void pick(core::ViewerId, std::uint64_t sequence, const PickPoint& asked) override {
+    point = asked;
+    record("pick", sequence);
+  }
+  void metrics(MetricsText& text) const override { text.gauge("sluice_test", "Of the test.", 1.5); }
+  void control(core::ViewerId, std::uint64_t, const v1::Control& control) override {
+    record(std::string("control ").append(v1::Control::Action_Name(control.action())));
   }
   void loadScene(core::ViewerId, std::uint64_t, const v1::LoadScene& scene) override {
     record(std::string("loadScene ").append(scene.name()));

@@ -34,7 +34,7 @@ TEST_F(SetViewTest, DefaultsFillWhatTheViewerLeavesOpen) {
   EXPECT_TRUE(talk.say(viewOf(640, 480)).empty());
   ASSERT_TRUE(talk.backend.view);
   EXPECT_EQ(talk.backend.view->size, (core::ImageSize{640, 480}));
-  EXPECT_EQ(talk.backend.view->codec, core::Codec::Jpeg);
+  EXPECT_EQ(talk.backend.view->codecs.front(), core::Codec::Jpeg);
   EXPECT_EQ(talk.backend.view->quality, 85);
   EXPECT_EQ(talk.backend.view->maxRate, 60);
 }
@@ -58,7 +58,7 @@ TEST_F(SetViewTest, TakesTheFirstCodecThatBothKnow) {
   message.mutable_set_view()->add_codecs(v1::PNG);
   message.mutable_set_view()->add_codecs(v1::JPEG);
   EXPECT_TRUE(talk.say(message).empty());
-  EXPECT_EQ(talk.backend.view->codec, core::Codec::Png);
+  EXPECT_EQ(talk.backend.view->codecs.front(), core::Codec::Png);
 }
 
 TEST_F(SetViewTest, NoCommonCodecIsInvalid) {

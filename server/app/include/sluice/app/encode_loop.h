@@ -6,35 +6,46 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <thread>
+#include <vector>
 
+#include "sluice/app/viewer_schedule.h"
 #include "sluice/core/frame.h"
 #include "sluice/encode/frame_encoder.h"
 
 namespace sluice::app {
 
-/// Encodes frames on a thread of its own. Each viewer has room for one waiting frame, which a newer one replaces, and
-/// one waiting snapshot, which nothing replaces; so at most two pictures wait for each viewer.
+/// Encodes pictures on a thread of its own, each once for every stream that shows it. What waits is bounded by whoever
+/// draws: two pictures for each owner, as ViewerSchedule has it.
 class EncodeLoop {
  public:
-  /// Called on the encoding thread with every encoded frame.
-  using Sink = std::function<void(core::EncodedFrame)>;
+  /// Told on the encoding thread. Must return soon.
+  class Events {
+   public:
+    virtual ~Events() = default;
+    virtual void encoded(const core::EncodedFrame& frame, const std::vector<core::Delivery>& deliveries) = 0;
+    virtual void encodingFailed(const std::vector<core::Delivery>& deliveries, const std::string& problem) = 0;
+    /// All encodings of a picture of this owner are done.
+    virtual void pictureDone(core::ViewerId owner) = 0;
+  };
 
-  explicit EncodeLoop(Sink sink);
+  /// `events` must outlive the loop.
+  explicit EncodeLoop(Events& events);
   ~EncodeLoop();
 
   // Thread-safe:
 
-  /// Takes a frame for the viewer in its tag.
-  void put(core::Frame frame, const encode::EncoderSettings& settings);
+  void put(core::Frame frame, ViewerSchedule::Job job);
 
-  /// Forgets the viewer's waiting frames and its encoder.
-  void leave(core::ViewerId viewer);
+  /// Forgets the encoders of all other streams.
+  void keepOnly(std::set<StreamKey> streams);
 
  private:
   struct Work {
     core::Frame frame;
-    encode::EncoderSettings settings;
+    ViewerSchedule::Job job;
   };
   struct Encoder {
     encode::EncoderSettings settings;
@@ -42,15 +53,16 @@ class EncodeLoop {
   };
 
   void loop();
-  Encoder& encoderFor(const Work& work);
+  void encode(const core::Frame& frame, const ViewerSchedule::Encoding& encoding);
+  encode::FrameEncoder& encoderFor(const StreamKey& stream, const encode::EncoderSettings& settings);
 
-  Sink sink_;
-  std::map<core::ViewerId, Encoder> encoders_;  // the encoding thread's own
+  Events& events_;
+  std::map<StreamKey, Encoder> encoders_;  // the encoding thread's own
 
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::deque<Work> waiting_;  // at most one frame and one snapshot of each viewer
-  std::deque<core::ViewerId> left_;
+  std::deque<Work> waiting_;
+  std::optional<std::set<StreamKey>> kept_;
   bool stopping_ = false;
 
   std::thread thread_;

@@ -22,7 +22,8 @@ struct LiveScene {
 /// assignments applied. Throws core::InputError.
 LiveScene loadScene(const std::string& nameOrPath, const std::vector<std::string>& assignments = {});
 
-/// The source of a complete, valid scene. `threads` 0 means one for each core. Throws core::InputError.
-std::unique_ptr<core::ParticleSource> openSource(const v1::Scene& scene, int threads);
+/// The source of a complete, valid scene. `threads` 0 means one for each core; `mostParticles` 0 as many as there is
+/// memory for. Throws core::InputError.
+std::unique_ptr<core::ParticleSource> openSource(const v1::Scene& scene, int threads, std::uint64_t mostParticles = 0);
 
 }  // namespace sluice::app

@@ -4,15 +4,16 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
-#include <functional>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <variant>
 
+#include "sluice/app/command_log.h"
 #include "sluice/app/live_scene.h"
 #include "sluice/app/pace.h"
+#include "sluice/app/scene_run.h"
 #include "sluice/core/frame.h"
 #include "sluice/core/input_error.h"
 #include "sluice/core/mailbox.h"
@@ -21,9 +22,14 @@
 
 namespace sluice::app {
 
-/// Owns the scene and its particle source, and runs them on a thread of its own. The source moves on only while the
-/// scene plays and somebody watches; a snapshot is made only when the last one has been taken, and of every state in
-/// which the source comes to rest.
+struct SceneRunnerOptions {
+  int threads = 0;                                    ///< Of the simulation; 0: one for each core.
+  std::uint64_t mostParticles = 0;                    ///< Of scenes that viewers ask for; 0: what memory allows.
+  std::optional<std::filesystem::path> commandLog{};  ///< Where to write what viewers ask of the run.
+};
+
+/// Owns a run and moves it on, on a thread of its own. It moves only while the scene plays and somebody watches; a
+/// snapshot is made only when the last one has been taken, and of every state in which the source comes to rest.
 class SceneRunner {
  public:
   /// Who asked; answered through Events::done or Events::failed.
@@ -31,11 +37,6 @@ class SceneRunner {
     core::ViewerId viewer = 0;
     std::uint64_t sequence = 0;
   };
-
-  struct Control {
-    v1::Control::Action action;
-  };
-  using Command = std::variant<Control, v1::UpdateScene, v1::LoadScene>;
 
   /// What happens, told on the runner's thread. Must return soon; thread-safe by its implementer.
   class Events {
@@ -51,17 +52,18 @@ class SceneRunner {
   };
 
   /// Opens the source at once (throws core::InputError) and rests until `start`.
-  SceneRunner(LiveScene scene, int threads);
+  SceneRunner(LiveScene scene, const SceneRunnerOptions& options);
   ~SceneRunner();
 
   /// `events` must outlive the runner.
   void start(Events& events);
+  /// Ends the thread and the log of commands.
   void stop();
 
   // Thread-safe:
 
   enum class Enqueued { Accepted, Full };
-  Enqueued enqueue(const Request& request, Command command);
+  Enqueued enqueue(const Request& request, SceneCommand command);
 
   /// The number of viewers; at 0 the source rests.
   void setAudience(std::size_t viewers);
@@ -74,23 +76,22 @@ class SceneRunner {
   using Clock = std::chrono::steady_clock;
 
   void loop();
-  void execute(const Request& request, const Command& command);
-  void apply(const Request& request, const Control& control);
-  void apply(const Request& request, const v1::UpdateScene& update);
-  void apply(const Request& request, const v1::LoadScene& load);
+  void execute(const Request& request, const SceneCommand& command);
+  void carryOut(const Request& request, const SceneCommand& command);
+  void log(std::uint64_t afterSteps, const SceneCommand& command);
   void advance();
-  void replaceScene(LiveScene scene);
+  void settleGoal();
+  void showScene();
   void publishSnapshot();
   void publishStats();
   bool canMove() const;
 
-  const int threads_;
   Events* events_ = nullptr;
 
   // Owned by the runner's thread once it has started.
-  std::unique_ptr<core::ParticleSource> source_;
-  bool playing_ = true;
-  bool atEnd_ = false;
+  SceneRun run_;
+  std::optional<CommandLog> log_;
+  std::optional<Request> waitsForGoal_;
   bool unpublished_ = false;
   std::uint64_t snapshotSequence_ = 0;
   Pace pace_;
@@ -101,7 +102,7 @@ class SceneRunner {
 
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  std::deque<std::pair<Request, Command>> commands_;
+  std::deque<std::pair<Request, SceneCommand>> commands_;
   std::shared_ptr<const LiveScene> scene_;
   v1::Stats stats_;
   std::size_t audience_ = 0;

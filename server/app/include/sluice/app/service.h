@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sluice/app/live_scene.h"
+#include "sluice/app/scene_runner.h"
 #include "sluice/stream/server.h"
 
 namespace sluice::app {
@@ -12,7 +13,7 @@ namespace sluice::app {
 struct ServiceOptions {
   LiveScene scene;
   stream::ServerOptions server;
-  int threads = 0;  ///< Of the simulation; 0: one for each core.
+  SceneRunnerOptions runner;
 };
 
 /// The whole of `serve`: runs a scene, draws it for every viewer, and streams the pictures. Knows every stage; no

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sluice/core/interaction.h"
 #include "sluice/core/particle_snapshot.h"
 #include "sluice/core/plan.h"
 #include "sluice/core/state_stream.h"
@@ -43,6 +44,11 @@ class ParticleSource {
   /// Takes over the live fields of a complete, valid scene; the caller restarts the source where a field that needs
   /// it has changed. Throws InputError, and keeps its state, where a value cannot be taken.
   virtual void update(const v1::Scene& scene) = 0;
+
+  /// Touches the fluid, from the next step on. Throws InputError, and changes nothing, where that cannot be done.
+  virtual void interact(const Interaction& /*interaction*/) {
+    throw InputError("", "interact", "only the fluid of a simulation can be touched");
+  }
 
   /// Why the source can not go on; empty while it can.
   virtual std::string halted() const { return {}; }

@@ -1,0 +1,172 @@
+#include "sluice/app/rate_control.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sluice::app {
+
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+double secondsBetween(RateController::Clock::time_point from, RateController::Clock::time_point to) {
+  return Seconds(to - from).count();
+}
+
+/// Arrivals that the quickest is sought among, and those that a rate is measured over.
+constexpr double kMemorySeconds = 10;
+constexpr double kRateSeconds = 1;
+
+/// A link slower than this to begin with is taken for a full one.
+constexpr double kLongestRoundTrip = 0.25;
+
+/// Time in the queue that tells a full link, and one that has room.
+constexpr double kFull = 0.06;
+constexpr double kRoom = 0.03;
+
+/// Shares of the measured rate that is taken, and steps up from there.
+constexpr double kBackOff = 0.85;
+constexpr double kRise = 1.15;
+constexpr double kRiseSeconds = 1;
+/// A budget so many times over what the best quality needs is none.
+constexpr double kPlenty = 4;
+
+/// Bytes of a picture grow by this per point of quality, for JPEG and video alike (a doubling in 19 points).
+constexpr double kBytesPerQuality = 0.037;
+constexpr int kReference = 85;
+
+/// Where quality ends and size begins to fall; pictures return to a larger size from a little above.
+constexpr int kLowestQuality = 40;
+constexpr int kReturnQuality = 55;
+constexpr std::array<double, 5> kScales{1, 0.75, 0.5, 0.375, 0.25};
+constexpr double kLowestRate = 1;
+
+/// Changes smaller than this are not worth a new encoder.
+constexpr int kQualityStep = 4;
+
+}  // namespace
+
+void RateController::setView(const stream::View& view) {
+  view_ = view;
+  lastRise_ = {};
+  target_ = {.quality = view.quality,
+             .scale = view.mode == v1::AUTOMATIC ? target_.scale : 1,
+             .framesPerSecond = view.maxRate,
+             .kilobitsPerSecond = view.kilobitsPerSecond,
+             .window = std::min<std::uint32_t>(2, maxWindow_)};
+  if (view.mode == v1::AUTOMATIC && std::isfinite(budget_)) aim({});
+}
+
+void RateController::setDrawSeconds(double seconds) {
+  drawSeconds_ = drawSeconds_ == 0 ? seconds : 0.8 * drawSeconds_ + 0.2 * seconds;
+}
+
+void RateController::sent(const Sent& frame, Clock::time_point now) {
+  underWay_.push_back({frame.frameId, frame.bytes, now});
+  const double pixels = static_cast<double>(frame.size.width) * frame.size.height;
+  if (frame.quality == 0 || (frame.keyframe && core::isVideo(view_.codecs.front()) && bytesPerPixel_ != 0)) return;
+  const double measured =
+      static_cast<double>(frame.bytes) / pixels * std::exp(-kBytesPerQuality * (frame.quality - kReference));
+  bytesPerPixel_ = bytesPerPixel_ == 0 ? measured : 0.7 * bytesPerPixel_ + 0.3 * measured;
+}
+
+void RateController::acknowledged(std::uint64_t frameId, Clock::time_point now) {
+  for (; !underWay_.empty() && underWay_.front().frameId <= frameId; underWay_.pop_front()) {
+    const double delay = secondsBetween(underWay_.front().sent, now);
+    arrivals_.push_back({now, underWay_.front().bytes, delay});
+    delay_ = arrivals_.size() == 1 ? delay : 0.6 * delay_ + 0.4 * delay;
+  }
+  while (!arrivals_.empty() && secondsBetween(arrivals_.front().when, now) > kMemorySeconds) arrivals_.pop_front();
+  if (arrivals_.empty()) return;
+  judge(now);
+  if (view_.mode == v1::AUTOMATIC) aim(now);
+}
+
+double RateController::quickest() const {
+  double least = kLongestRoundTrip;
+  for (const Arrival& arrival : arrivals_) least = std::min(least, arrival.delay);
+  return least;
+}
+
+double RateController::deliveredRate() const {
+  const Arrival& last = arrivals_.back();
+  double bytes = 0;
+  Clock::time_point first = last.when - std::chrono::duration_cast<Clock::duration>(Seconds(last.delay));
+  for (auto arrival = arrivals_.rbegin(); arrival != arrivals_.rend(); ++arrival) {
+    const double age = secondsBetween(arrival->when, last.when);
+    // Of several frames the first only marks the time from which the others came.
+    if (age > kRateSeconds) {
+      first = arrival->when;
+      break;
+    }
+    bytes += static_cast<double>(arrival->bytes);
+    first = std::min(first, arrival->when - std::chrono::duration_cast<Clock::duration>(Seconds(arrival->delay)));
+  }
+  return bytes / std::max(secondsBetween(first, last.when), 1e-3);
+}
+
+void RateController::judge(Clock::time_point now) {
+  const double queued = delay_ - quickest();
+  if (queued > kFull && secondsBetween(lastChange_, now) > std::max(delay_, 0.2)) {
+    budget_ = kBackOff * std::min(budget_, deliveredRate());
+    lastChange_ = now;
+  } else if (queued < kRoom && std::isfinite(budget_) && secondsBetween(lastChange_, now) > kRiseSeconds) {
+    budget_ *= kRise;
+    lastChange_ = now;
+    if (budget_ > kPlenty * bytesAt(view_.quality, 1) * frameRate()) {
+      budget_ = std::numeric_limits<double>::infinity();
+    }
+  }
+  // Frames enough under way to fill the time that one takes there and back, but not a queue.
+  const double pipe = quickest() * frameRate();
+  const bool full = queued > kFull;
+  target_.window =
+      full ? std::min<std::uint32_t>(2, maxWindow_)
+           : std::clamp(static_cast<std::uint32_t>(std::ceil(pipe)) + 1, std::min(2U, maxWindow_), maxWindow_);
+}
+
+double RateController::frameRate() const {
+  return drawSeconds_ > 0 ? std::min(view_.maxRate, 1 / drawSeconds_) : view_.maxRate;
+}
+
+double RateController::bytesAt(int quality, double scale) const {
+  const double pixels = static_cast<double>(view_.size.width) * view_.size.height * scale * scale;
+  return bytesPerPixel_ * pixels * std::exp(kBytesPerQuality * (quality - kReference));
+}
+
+void RateController::aim(Clock::time_point now) {
+  RateTarget wanted = target_;
+  wanted.quality = view_.quality;
+  wanted.scale = 1;
+  wanted.framesPerSecond = view_.maxRate;
+  wanted.kilobitsPerSecond = 0;
+  if (std::isfinite(budget_) && bytesPerPixel_ > 0) {
+    const double perFrame = budget_ / frameRate();
+    wanted.kilobitsPerSecond = std::max(static_cast<int>(budget_ * 8 / 1000), 50);
+    const int lowest = std::min(kLowestQuality, view_.quality);
+    for (const double scale : kScales) {
+      const double quality = kReference + std::log(perFrame / bytesAt(kReference, scale)) / kBytesPerQuality;
+      wanted.scale = scale;
+      wanted.quality = std::clamp(static_cast<int>(quality), lowest, view_.quality);
+      const int enough = scale > target_.scale ? std::min(kReturnQuality, view_.quality) : lowest;
+      if (quality >= enough) break;
+    }
+    const double bytes = bytesAt(wanted.quality, wanted.scale);
+    wanted.framesPerSecond = std::clamp(budget_ / bytes, std::min(kLowestRate, view_.maxRate), view_.maxRate);
+  }
+
+  // Down at once, up now and then: every change may cost a keyframe.
+  const bool less = wanted.scale < target_.scale || wanted.quality <= target_.quality - kQualityStep;
+  const bool more = wanted.scale > target_.scale || wanted.quality >= target_.quality + kQualityStep ||
+                    (wanted.quality == view_.quality && target_.quality != view_.quality);
+  if (less || (more && secondsBetween(lastRise_, now) > kRiseSeconds)) {
+    target_.quality = wanted.quality;
+    target_.scale = wanted.scale;
+    lastRise_ = now;
+  }
+  target_.framesPerSecond = wanted.framesPerSecond;
+  target_.kilobitsPerSecond = wanted.kilobitsPerSecond;
+}
+
+}  // namespace sluice::app
