@@ -22,7 +22,7 @@ target_compile_options(sluice_compiler INTERFACE
   # No contraction into fused multiply-adds by the compiler's own choice: the same scene gives the same bits whatever
   # code path runs, and where we want an fma we write one.
   -ffp-contract=off
-  $<$<BOOL:${CCACHE_PROGRAM}>:-fpch-preprocess>
+  $<$<AND:$<BOOL:${CCACHE_PROGRAM}>,$<CXX_COMPILER_ID:GNU>>:-fpch-preprocess>
 )
 # Eigen allocates with the alignment of the widest vector the unit was compiled for; a fixed maximum keeps its types
 # layout-compatible between units compiled for different instruction sets.

@@ -1,5 +1,6 @@
 #include "log_lines.h"
 
+#include <google/protobuf/stubs/logging.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,8 @@ namespace sluice::app {
 
 void startLog(LogFormat format) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("sluice"));
+  // What a viewer sends that is no protobuf closes its connection, and need not fill the log besides.
+  google::protobuf::SetLogHandler(nullptr);
   // Events bring the rest of the object; what else is logged is a message in one.
   if (format == LogFormat::Json) spdlog::set_pattern("%v");
 }

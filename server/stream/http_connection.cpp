@@ -38,7 +38,7 @@ std::optional<http::status> statusOf(const beast::error_code& error) {
 
 HttpConnection::HttpConnection(asio::ip::tcp::socket socket, ServerContext& context)
     : context_(context),
-      transport_(std::move(socket), context.tls ? &*context.tls : nullptr),
+      transport_(std::move(socket), context.tls ? &*context.tls : nullptr, context.options.failsNow),
       buffer_(kMaxHeaderBytes + kMaxBodyBytes) {}
 
 asio::awaitable<void> HttpConnection::run() {

@@ -174,6 +174,7 @@ asio::awaitable<void> Session::watch() {
   const Clock::duration helloTimeout = context_.options.helloTimeout;
   const Clock::duration tick = std::min<Clock::duration>(std::min(writeTimeout, helloTimeout) / 4, kLongestTick);
   while (!ended_) {
+    if (context_.options.failsNow && context_.options.failsNow()) cutOff("a timer failed");
     check_.expires_after(tick);
     co_await check_.async_wait(kAsTuple);
     if (ended_) break;

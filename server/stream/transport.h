@@ -12,6 +12,7 @@
 #include <boost/beast/websocket/teardown.hpp>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -52,8 +53,12 @@ class Transport {
   using Tcp = beast::basic_stream<asio::ip::tcp, asio::any_io_executor, WriteProgress>;
   using executor_type = Tcp::executor_type;  // NOLINT(readability-identifier-naming): Asio's name.
 
-  /// `tls` is null for a plain connection; else it must outlive the transport.
-  Transport(asio::ip::tcp::socket socket, asio::ssl::context* tls) : tcp_(std::make_unique<Tcp>(std::move(socket))) {
+  /// Whether the operation that is about to begin is to fail, for tests; empty for none.
+  using Faults = std::function<bool()>;
+
+  /// `tls` is null for a plain connection; else it must outlive the transport, as must `faults`.
+  Transport(asio::ip::tcp::socket socket, asio::ssl::context* tls, const Faults& faults)
+      : tcp_(std::make_unique<Tcp>(std::move(socket))), faults_(faults ? &faults : nullptr) {
     if (tls != nullptr) tls_ = std::make_unique<Tls>(*tcp_, *tls);
   }
 
@@ -73,12 +78,14 @@ class Transport {
 
   template <class Buffers, class Token>
   auto async_read_some(const Buffers& buffers, Token&& token) {
+    failIfAsked();
     return tls_ ? tls_->async_read_some(buffers, std::forward<Token>(token))
                 : tcp_->async_read_some(buffers, std::forward<Token>(token));
   }
 
   template <class Buffers, class Token>
   auto async_write_some(const Buffers& buffers, Token&& token) {
+    failIfAsked();
     return tls_ ? tls_->async_write_some(buffers, std::forward<Token>(token))
                 : tcp_->async_write_some(buffers, std::forward<Token>(token));
   }
@@ -105,8 +112,14 @@ class Transport {
  private:
   using Tls = asio::ssl::stream<Tcp&>;
 
+  // What begins on a closed socket fails.
+  void failIfAsked() {
+    if (faults_ != nullptr && (*faults_)()) close();
+  }
+
   std::unique_ptr<Tcp> tcp_;
   std::unique_ptr<Tls> tls_;
+  const Faults* faults_;
 };
 
 }  // namespace sluice::stream

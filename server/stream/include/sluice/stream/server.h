@@ -52,6 +52,9 @@ struct ServerOptions {
   std::vector<std::string> allowedOrigins{};
   /// Told of every viewer that comes or goes; called on the io thread. Never holds a token. Empty: nobody is told.
   std::function<void(const LogEvent&)> log{};
+  /// For tests: asked before every read, write and wait of a connection, on the io thread; true makes it fail. Empty:
+  /// nothing fails but by itself.
+  std::function<bool()> failsNow{};
 };
 
 /// The HTTP and WebSocket server: the static page, /healthz and /stream. Runs on one io thread.
