@@ -1,10 +1,11 @@
 // How well it runs: frames, delay, the simulation's pace and accuracy, where the time goes, and what is left out.
 
 import { Codec, type Plan, type PlanChanged, type Stats, type Welcome } from "../gen/sluice/v1/session_pb";
-import { h, setText } from "../ui/dom";
-import { explain } from "../ui/tooltip";
 import { codecName } from "../picture/codecs";
 import type { DrawnFrame } from "../picture/picture";
+import { h, setText } from "../ui/dom";
+import { remember, remembered } from "../ui/preferences";
+import { explain } from "../ui/tooltip";
 import { DelaySplit } from "./delay_split";
 import { ErrorCost } from "./error_cost";
 import { bytesPerSecond, count, factor, milliseconds, percent } from "./format";
@@ -192,8 +193,17 @@ export class Readout {
   }
 }
 
+/** A part that folds; whether it is open is remembered. */
 function section(title: string, body: HTMLElement): HTMLElement {
-  return h("details", { class: "group level-2" }, h("summary", {}, h("span", {}, title)), h("div", { class: "group-body" }, body));
+  const key = `section.${title}`;
+  const details = h(
+    "details",
+    { class: "group level-2", open: remembered(key) === "open" },
+    h("summary", {}, h("span", {}, title)),
+    h("div", { class: "group-body" }, body),
+  );
+  details.addEventListener("toggle", () => remember(key, details.open ? "open" : "closed"));
+  return details;
 }
 
 function leftOutOf(plan: Plan | undefined, where: string): HTMLElement[] {

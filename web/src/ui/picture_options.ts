@@ -61,7 +61,7 @@ export class PictureOptions {
     this.detail = kDetails.find((detail) => detail.value === value) ?? this.detail;
     this.changed("detail", value);
   });
-  private readonly modes = choiceRow("Quality", (value) => {
+  private readonly modes = choiceRow("Compression", (value) => {
     this.mode = kModes.find((mode) => mode.value === value) ?? this.mode;
     this.changed("mode", value);
   });
