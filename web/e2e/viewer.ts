@@ -35,20 +35,24 @@ export class Viewer {
     page.on("pageerror", (error) => this.complaints.push(error.stack ?? error.message));
   }
 
-  /** A browser with an empty profile; the address is opened and the first picture awaited. */
-  static async open(address: string, options: BrowserContextOptions = {}): Promise<Viewer> {
+  /** A browser with an empty profile, and an empty page. */
+  static async launch(options: BrowserContextOptions = {}, more: readonly string[] = []): Promise<Viewer> {
     const profile = await mkdtemp(join(tmpdir(), "sluice-e2e-"));
     const context = await chromium.launchPersistentContext(profile, {
       executablePath: process.env["SLUICE_CHROMIUM"] ?? "/usr/bin/chromium",
       headless: true,
-      args: kArguments,
+      args: [...kArguments, ...more],
       viewport: { width: 900, height: 600 },
       ...options,
     });
-    const page = context.pages()[0] ?? (await context.newPage());
-    const viewer = new Viewer(context, profile, page);
-    await page.goto(address);
-    await page.waitForFunction(() => window.sluice.facts().framesDrawn > 0);
+    return new Viewer(context, profile, context.pages()[0] ?? (await context.newPage()));
+  }
+
+  /** The address is opened in a browser of its own and the first picture awaited. */
+  static async open(address: string, options: BrowserContextOptions = {}): Promise<Viewer> {
+    const viewer = await Viewer.launch(options);
+    await viewer.page.goto(address);
+    await viewer.page.waitForFunction(() => window.sluice.facts().framesDrawn > 0);
     return viewer;
   }
 

@@ -1,51 +1,63 @@
 // Ties the page together: what arrives goes to the picture, the panel and the read-out; what people do goes out.
 
-import { equals } from "@bufbuild/protobuf";
-
-import { CameraSchema, type Scene } from "./gen/sluice/v1/scene_pb";
+import type { Scene } from "./gen/sluice/v1/scene_pb";
 import type {
+  Codec,
   Control_Action,
   Error as ServerError,
   Frame,
+  Picked,
   PlanChanged,
   SceneChanged,
   Stats,
+  ViewersChanged,
   Welcome,
 } from "./gen/sluice/v1/session_pb";
+import { simulationChange } from "./params/change";
 import { ParameterPanel } from "./params/panel";
 import { updateFor } from "./params/update";
 import { Updater } from "./params/updater";
+import type { DrawnFrame } from "./picture/picture";
+import { saveFrame, Stream } from "./picture/stream";
 import type { ConnectionState, Socket } from "./protocol/connection";
-import { Session, type SessionHandlers } from "./protocol/session";
+import { Session, type SessionHandlers, type Touch as TouchMessage } from "./protocol/session";
 import { Readout } from "./readout/readout";
+import { type FluidHost, Touch } from "./touch/touch";
+import { token, TokenPrompt } from "./ui/access";
 import { byId } from "./ui/dom";
 import { Notices } from "./ui/notices";
-import { PictureOptions } from "./ui/picture_options";
 import { SceneMenu } from "./ui/scene_menu";
 import { Status } from "./ui/status";
 import { Transport, type TransportHost } from "./ui/transport";
-import { type Camera, framed } from "./view/camera";
+import { kSpectatorReason, Viewers } from "./ui/viewers";
+import type { Camera } from "./view/camera";
+import { CanvasSize } from "./view/canvas_size";
 import { type CameraHost, CameraControls } from "./view/controls";
-import { type DrawnFrame, Picture, pictureBlob } from "./view/picture";
-import { pictureSize, type Size } from "./view/picture_size";
+import { OwnCamera } from "./view/own_camera";
+import { type Point, pointInPicture } from "./view/picture_area";
 
 /** The meaning of the messages that this page knows; see Welcome.protocol_version. */
 const kProtocolVersion = 1;
-/** A window that is being dragged to size asks for pictures of its new size when it rests this long. */
-const kResizeMilliseconds = 120;
 
-export class App implements SessionHandlers, CameraHost, TransportHost {
+export class App implements SessionHandlers, CameraHost, TransportHost, FluidHost {
   readonly session: Session;
   private readonly canvas = byId("picture", HTMLCanvasElement);
-  private readonly picture: Picture;
+  private readonly canvasSize = new CanvasSize(this.canvas, () => this.resized());
   private readonly readout = new Readout(byId("readout", HTMLElement), byId("brief", HTMLElement));
   private readonly status = new Status(byId("stage", HTMLElement), byId("status", HTMLElement));
   private readonly notices = new Notices(byId("notices", HTMLElement));
-  private readonly options: PictureOptions;
-  private readonly menu: SceneMenu;
+  private readonly menu = new SceneMenu(byId("scene", HTMLSelectElement), (name) => this.loadScene(name));
+  private readonly tokenPrompt = new TokenPrompt(byId("token", HTMLFormElement), () => this.session.start());
+  private readonly ownCamera = new OwnCamera(
+    () => this.canvasSize.aspect,
+    (camera, inputTime) => this.readout.delay.sent(this.session.setCamera(camera), inputTime, performance.now()),
+  );
+  private readonly stream: Stream;
+  private readonly viewers: Viewers;
   private readonly transport: Transport;
   private readonly updater: Updater;
   private readonly panel: ParameterPanel;
+  private readonly touch: Touch;
 
   private connection: ConnectionState = "stopped";
   private welcome: Welcome | undefined;
@@ -53,39 +65,35 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
   private sceneName = "";
   private stats: Stats | undefined;
   private halt: { readonly reason: string; remove(): void } | undefined;
-  private view: Camera | undefined;
-  /** The person has left the camera that the scene gave. */
-  private viewIsOwn = false;
-  /** When the oldest camera move that has not been sent was made; 0 where there is none. */
-  private movedAt = 0;
-  private devicePixels: Size = devicePixelsOf(this.canvas);
-  private resizing: ReturnType<typeof setTimeout> | undefined;
   /** Sequence number of the scene choice under way. */
   private loading = 0;
   private framesDrawn = 0;
   private lastFrame: Frame | undefined;
 
-  constructor(makeSocket: () => Socket) {
-    this.session = new Session(makeSocket, this);
-    this.picture = new Picture(
-      this.canvas,
-      (drawn) => this.frameDrawn(drawn),
-      (frame, reason) => this.frameBroken(frame, reason),
+  /** `decodable` are the codecs of this browser, best first. */
+  constructor(makeSocket: () => Socket, decodable: readonly Codec[]) {
+    this.session = new Session(makeSocket, this, { token });
+    this.stream = new Stream(this.session, this.canvasSize, decodable, {
+      onDrawn: (drawn) => this.frameDrawn(drawn),
+      report: (message) => this.notices.show(message),
+    });
+    this.viewers = new Viewers(
+      { list: byId("viewers", HTMLElement), count: byId("viewer-count", HTMLElement) },
+      { following: byId("following", HTMLElement), role: byId("role", HTMLElement) },
+      (viewerId) => this.follow(viewerId),
     );
-    this.options = new PictureOptions(byId("picture-options", HTMLElement), () => this.askForPictures());
-    this.menu = new SceneMenu(byId("scene", HTMLSelectElement), (name) => this.loadScene(name));
     this.transport = new Transport(byId("transport", HTMLElement), this);
     this.updater = new Updater(
       (edit) => this.sentNow(this.session.updateScene(updateFor(edit))),
       (path, error) => this.panel.settled(path, error),
     );
-    this.panel = new ParameterPanel(byId("parameters", HTMLElement), {
+    this.panel = new ParameterPanel(byId("parameters", HTMLFieldSetElement), {
       submit: (edit) => this.updater.submit(edit),
       isBusy: (path) => this.updater.isBusy(path),
       report: (message) => this.notices.show(message),
     });
     new CameraControls(this.canvas, this);
-    this.watchSize();
+    this.touch = new Touch(this.canvas, this);
   }
 
   /** Facts about the page for whoever drives it from outside, such as its tests. */
@@ -98,10 +106,13 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
         width: this.lastFrame.width,
         height: this.lastFrame.height,
         codec: this.lastFrame.codec,
+        still: this.lastFrame.still,
         reflectsSequence: Number(this.lastFrame.reflectsSequence),
         simulationTime: this.lastFrame.simulationTime,
       },
-      camera: this.view,
+      viewerId: Number(this.welcome?.viewerId ?? 0),
+      following: Number(this.viewers.following),
+      camera: this.ownCamera.current,
       scene: this.scene,
       sceneName: this.sceneName,
       stats: this.stats,
@@ -115,12 +126,21 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
     this.connection = state;
     this.status.show(state, detail);
     if (state === "open") return;
-    this.picture.forget();
+    this.stream.forget();
     this.updater.forget();
     this.readout.disconnected();
-    this.movedAt = 0;
+    this.ownCamera.forget();
+    this.touch.forget();
     if (this.loading !== 0) this.menu.revert();
     this.loading = 0;
+  }
+
+  onRefused(reason: string): void {
+    this.tokenPrompt.show(reason);
+  }
+
+  onSilence(silent: boolean): void {
+    this.status.silence(silent);
   }
 
   onWelcome(welcome: Welcome): void {
@@ -129,19 +149,23 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
       this.status.show("stopped", "This page and the server are of different versions: please reload");
       return;
     }
+    if (this.viewers.following !== 0n) this.notices.show("The connection was new: this is your own camera again.");
     this.welcome = welcome;
+    this.tokenPrompt.hide();
     this.readout.welcomed(welcome);
+    this.viewers.welcomed(welcome.viewerId, welcome.role);
     this.menu.setEntries(welcome.scenes);
     if (welcome.scene) this.sceneArrived(welcome.scene, welcome.sceneName);
     this.transport.show(welcome.paused, undefined);
-    this.askForPictures();
-    if (this.view) this.sendCamera(this.view, performance.now());
+    this.permit();
+    this.stream.welcomed(welcome);
+    this.ownCamera.sendNow();
   }
 
   onFrame(frame: Frame): void {
     this.readout.bytesReceived(frame.payload.byteLength);
-    if (frame.snapshot) this.download(frame);
-    else this.picture.push(frame);
+    if (frame.snapshot) saveFrame(frame, this.sceneName || "sluice");
+    else this.stream.push(frame);
   }
 
   onStats(stats: Stats): void {
@@ -155,18 +179,29 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
   }
 
   onScene(changed: SceneChanged): void {
-    if (!changed.scene) return;
-    const moved = this.sceneArrived(changed.scene, changed.sceneName);
-    if (moved && this.view) this.sendCamera(this.view, performance.now());
+    if (changed.scene && this.sceneArrived(changed.scene, changed.sceneName)) this.ownCamera.sendNow();
   }
 
   onPlan(plan: PlanChanged): void {
     this.readout.planReceived(plan);
   }
 
+  onViewers(changed: ViewersChanged): void {
+    if (this.viewers.changed(changed)) {
+      this.notices.show("The viewer you followed has left: this is your own camera again.");
+      this.stream.ask(0n);
+    }
+    this.permit();
+  }
+
+  onPicked(picked: Picked, sequence: number): void {
+    this.touch.picked(picked, sequence);
+  }
+
   onError(error: ServerError, sequence: number): void {
     this.readout.delay.refused(sequence);
     if (this.updater.answered(sequence, error.message)) return;
+    this.touch.answered(sequence, true);
     if (sequence !== 0 && sequence === this.loading) {
       this.loading = 0;
       this.menu.revert();
@@ -177,6 +212,7 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
 
   onDone(sequence: number): void {
     if (sequence === this.loading) this.loading = 0;
+    this.touch.answered(sequence, false);
     this.updater.answered(sequence);
   }
 
@@ -186,112 +222,100 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
 
   /** Takes over a scene; true where it brings a camera of its own. */
   private sceneArrived(scene: Scene, name: string): boolean {
-    const { camera } = scene;
-    const before = this.scene?.camera;
-    const sameStart = camera && before && equals(CameraSchema, camera, before) && name === this.sceneName;
-    if (!sameStart) this.viewIsOwn = false;
+    if (name !== this.sceneName) this.readout.sceneLoaded();
+    const change = this.scene && name === this.sceneName ? simulationChange(this.scene, scene) : undefined;
+    if (change !== undefined) this.readout.simulationChanged(change);
     this.scene = scene;
     this.sceneName = name;
     this.menu.show(name, scene.title);
     document.title = scene.title ? `${scene.title} · Sluice` : "Sluice";
     this.panel.setScene(scene);
-    if (!this.viewIsOwn) this.view = this.startOf(scene);
-    return !sameStart;
+    this.touch.sceneArrived(scene);
+    return this.ownCamera.sceneArrived(scene, name);
   }
 
   // -------------------------------------------------------------------------------------------------- the pictures
 
   private frameDrawn(drawn: DrawnFrame): void {
-    const { frame } = drawn;
-    this.session.acknowledge(frame.frameId);
+    if (drawn.frame.snapshotSequence !== this.lastFrame?.snapshotSequence) this.touch.pictureChanged();
     this.framesDrawn += 1;
-    this.lastFrame = frame;
+    this.lastFrame = drawn.frame;
     this.readout.frameDrawn(drawn);
     this.status.pictureDrawn();
   }
 
-  private frameBroken(frame: Frame, reason: unknown): void {
-    // It is acknowledged all the same: the window would stay full, and the stream would stand.
-    this.session.acknowledge(frame.frameId);
-    this.notices.show(`A picture could not be decoded: ${reason instanceof Error ? reason.message : String(reason)}`);
-  }
-
-  private watchSize(): void {
-    const observer = new ResizeObserver(([entry]) => {
-      const box = entry?.devicePixelContentBoxSize?.[0];
-      const size = exactSize(devicePixelsOf(this.canvas), box);
-      if (size.width === this.devicePixels.width && size.height === this.devicePixels.height) return;
-      this.devicePixels = size;
-      clearTimeout(this.resizing);
-      this.resizing = setTimeout(() => this.resized(), kResizeMilliseconds);
-    });
-    try {
-      observer.observe(this.canvas, { box: "device-pixel-content-box" });
-    } catch {
-      // Safari knows only CSS pixels.
-      observer.observe(this.canvas);
-    }
-  }
-
   private resized(): void {
-    this.askForPictures();
-    // A view that is still the scene's is framed anew.
-    if (this.scene && !this.viewIsOwn) this.resetCamera(performance.now());
+    this.stream.ask();
+    this.ownCamera.resized(performance.now());
   }
 
-  private pictureSize(): Size {
-    const { limits } = this.welcome!;
-    const limit = limits ? { width: limits.maxWidth, height: limits.maxHeight } : this.devicePixels;
-    return pictureSize(this.devicePixels, this.options.wish().detail, limit);
-  }
-
-  private askForPictures(): void {
-    if (!this.welcome || this.connection !== "open") return;
-    const { codecs, quality } = this.options.wish();
-    const offered = codecs.filter((codec) => this.welcome!.codecs.includes(codec));
-    this.session.setView({ ...this.pictureSize(), codecs: offered.length > 0 ? offered : codecs, quality });
+  private follow(viewerId: bigint): void {
+    this.viewers.follow(viewerId);
+    this.permit();
+    this.stream.ask(viewerId);
+    if (viewerId === 0n) this.ownCamera.sendNow();
   }
 
   savePicture(): void {
-    if (!this.welcome || this.connection !== "open") return;
-    const { width, height } = this.pictureSize();
-    this.session.snapshot(width, height);
-  }
-
-  private download(frame: Frame): void {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(pictureBlob(frame));
-    link.download = `${this.sceneName || "sluice"}_${frame.simulationTime.toFixed(3)}s.png`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    this.stream.askForLossless();
   }
 
   // ---------------------------------------------------------------------------------------------- what people do
 
-  camera(): Camera | undefined {
-    return this.view;
-  }
-
-  moveCamera(camera: Camera, inputTime: number): void {
-    this.view = camera;
-    this.viewIsOwn = true;
-    if (this.movedAt !== 0) return;
-    // Moves within one animation frame become one message.
-    this.movedAt = inputTime;
-    requestAnimationFrame(() => {
-      if (this.movedAt !== 0 && this.view) this.sendCamera(this.view, this.movedAt);
-      this.movedAt = 0;
+  /** Shows what this viewer may do now, and why not where it may not. */
+  private permit(): void {
+    const spectating = this.viewers.isSpectator ? kSpectatorReason : undefined;
+    const following = this.viewers.following !== 0n ? "Go back to your own camera first." : undefined;
+    this.transport.forbid(spectating);
+    this.menu.forbid(spectating);
+    byId("parameters", HTMLFieldSetElement).disabled = spectating !== undefined;
+    const note = byId("parameters-note", HTMLElement);
+    note.hidden = spectating === undefined;
+    note.textContent = spectating ?? "";
+    const touching = spectating ?? following;
+    this.touch.forbid({
+      ...(touching && { push: touching, pull: touching, add: touching }),
+      ...(following && { pick: following }),
     });
   }
 
+  camera(): Camera | undefined {
+    return this.viewers.following === 0n ? this.ownCamera.current : undefined;
+  }
+
+  moveCamera(camera: Camera, inputTime: number): void {
+    this.ownCamera.move(camera, inputTime);
+  }
+
   resetCamera(inputTime: number): void {
-    if (!this.scene) return;
-    this.moveCamera(this.startOf(this.scene), inputTime);
-    this.viewIsOwn = false;
+    if (this.viewers.following === 0n) this.ownCamera.reset(inputTime);
+  }
+
+  turns(): boolean {
+    return this.touch.tool === "turn";
+  }
+
+  pictureAspect(): number {
+    return this.lastFrame ? this.lastFrame.width / this.lastFrame.height : this.canvasSize.aspect;
+  }
+
+  pointInPicture(at: Point): Point | undefined {
+    const picture = this.lastFrame ?? this.canvasSize.devicePixels;
+    const fit = this.viewers.following !== 0n ? "contain" : "cover";
+    return pointInPicture(this.canvas.getBoundingClientRect(), picture, fit, at);
+  }
+
+  interact(touch: TouchMessage): number {
+    return this.session.interact(touch);
+  }
+
+  pick(x: number, y: number, camera: Camera): number {
+    return this.session.pick(x, y, camera);
   }
 
   control(action: Control_Action): void {
-    this.session.control(action);
+    if (this.viewers.isSpectator) this.notices.show(kSpectatorReason);
+    else this.session.control(action);
   }
 
   private loadScene(name: string): void {
@@ -301,6 +325,10 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
 
   /** A scene file that was dropped on the page. */
   loadSceneText(text: string): void {
+    if (this.viewers.isSpectator) {
+      this.notices.show(kSpectatorReason);
+      return;
+    }
     const most = this.welcome?.limits?.maxMessageBytes ?? 0;
     // A server closes the connection over a message that is too large. A character takes three bytes at most.
     if (most > 0 && 3 * text.length + 64 > most) {
@@ -310,40 +338,8 @@ export class App implements SessionHandlers, CameraHost, TransportHost {
     this.loading = this.session.loadSceneText(text);
   }
 
-  private sendCamera(camera: Camera, inputTime: number): void {
-    this.readout.delay.sent(this.session.setCamera(camera), inputTime);
-  }
-
   private sentNow(sequence: number): number {
     this.readout.delay.sent(sequence, performance.now());
     return sequence;
   }
-
-  private startOf(scene: Scene): Camera {
-    return framed(plainCamera(scene), this.devicePixels.width / this.devicePixels.height);
-  }
-}
-
-/** The camera that a scene names. The server sends scenes complete, with every vector set. */
-function plainCamera(scene: Scene): Camera {
-  const plain = (v: { x: number; y: number; z: number } | undefined) => ({ x: v?.x ?? 0, y: v?.y ?? 0, z: v?.z ?? 0 });
-  const { camera } = scene;
-  return {
-    eye: plain(camera?.eye),
-    target: plain(camera?.target),
-    up: plain(camera?.up),
-    verticalFovDegrees: camera?.verticalFovDegrees ?? 45,
-  };
-}
-
-/** To within a pixel; the size observer knows exactly. */
-function devicePixelsOf({ clientWidth, clientHeight }: HTMLCanvasElement): Size {
-  return { width: clientWidth * devicePixelRatio, height: clientHeight * devicePixelRatio };
-}
-
-/** What the observer says, unless it has missed the density of the screen, as it does where tools emulate one. */
-function exactSize(near: Size, box: ResizeObserverSize | undefined): Size {
-  if (!box) return near;
-  const agrees = Math.abs(box.inlineSize - near.width) < 2 && Math.abs(box.blockSize - near.height) < 2;
-  return agrees ? { width: box.inlineSize, height: box.blockSize } : near;
 }

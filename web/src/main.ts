@@ -3,9 +3,12 @@ import "./style/stage.css";
 import "./style/panel.css";
 import "./style/controls.css";
 import "./style/readout.css";
+import "./style/touch.css";
 
 import { App } from "./app";
+import { decodableCodecs } from "./picture/codecs";
 import { openSocket, streamAddress } from "./protocol/connection";
+import { takeTokenFromAddress } from "./ui/access";
 import { byId } from "./ui/dom";
 import { icon } from "./ui/icons";
 import { remember, remembered } from "./ui/preferences";
@@ -41,8 +44,9 @@ function setUpDrop(app: App): void {
   });
 }
 
+takeTokenFromAddress(location, history);
 setUpPanel();
-const app = new App(() => openSocket(streamAddress(location)));
+const app = new App(() => openSocket(streamAddress(location)), await decodableCodecs());
 setUpDrop(app);
 addEventListener("online", () => app.session.retryNow());
 document.addEventListener("visibilitychange", () => {

@@ -22,18 +22,36 @@ describe("Window", () => {
   });
 });
 
+/** Drawn 2 ms after it was decoded; a server that says nothing of its own time. */
+const at = (drawnAt: number, response = 0) => ({ decodedAt: drawnAt - 2, drawnAt, response });
+
 describe("DelayMeter", () => {
   test("measures from the input to the first frame that reflects it or a later one", () => {
     const meter = new DelayMeter();
     meter.sent(5, 100);
     meter.sent(6, 110);
     meter.sent(7, 120);
-    meter.drawn(4, 130);
+    meter.drawn(4, at(130));
     expect(meter.median(130)).toBeUndefined();
-    meter.drawn(6, 150);
+    meter.drawn(6, at(150));
     expect(meter.median(150)).toBe(45);
-    meter.drawn(6, 400);
+    meter.drawn(6, at(400));
     expect(meter.median(400)).toBe(45);
+  });
+
+  test("splits the delay of the message that the frame names by where it was spent", () => {
+    const meter = new DelayMeter();
+    meter.sent(3, 100, 104);
+    meter.sent(4, 110, 113);
+    meter.drawn(4, at(140, 12));
+    expect(meter.meanParts(140)).toEqual({ gather: 3, server: 12, travel: 13, draw: 2 });
+    meter.sent(5, 200, 200);
+    meter.drawn(5, at(220));
+    expect(meter.median(1150)).toBe(20);
+    // What was measured last stands until there is something newer.
+    expect(meter.meanParts(5000)).toEqual({ gather: 3, server: 12, travel: 13, draw: 2 });
+    meter.forget();
+    expect(meter.meanParts(5000)).toBeUndefined();
   });
 
   test("does not wait for messages that were never sent or were refused", () => {
@@ -41,7 +59,7 @@ describe("DelayMeter", () => {
     meter.sent(0, 100);
     meter.sent(8, 100);
     meter.refused(8);
-    meter.drawn(9, 200);
+    meter.drawn(9, at(200));
     expect(meter.median(200)).toBeUndefined();
   });
 });

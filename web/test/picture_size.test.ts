@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { pictureSize } from "../src/view/picture_size";
+import { pictureSize } from "../src/picture/picture_size";
 
 const limit = { width: 3840, height: 2160 };
 

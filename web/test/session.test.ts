@@ -26,8 +26,12 @@ function join() {
     onError: vi.fn(),
     onDone: vi.fn(),
     onRoundTrip: vi.fn(),
+    onViewers: vi.fn(),
+    onPicked: vi.fn(),
+    onSilence: vi.fn(),
+    onRefused: vi.fn(),
   };
-  const session = new Session(server.make, handlers, "test", () => Date.now());
+  const session = new Session(server.make, handlers, { client: "test", token: () => "secret", now: () => Date.now() });
   session.start();
   return { server, handlers, session };
 }

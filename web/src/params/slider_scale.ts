@@ -2,6 +2,8 @@
 
 import type { Annotation } from "./annotations";
 
+type Range = Pick<Annotation, "min" | "max" | "logarithmic">;
+
 export interface SliderScale {
   /** Exact at both ends. */
   toValue(t: number): number;
@@ -22,7 +24,7 @@ const kFineStep = 0.005;
  * The scale for a field, or undefined where its range suits no slider. Logarithmic fields move in powers; a range that
  * starts at 0 and whose default lies near it bends, so that small values have room.
  */
-export function sliderScale(annotation: Annotation, standard: number | undefined, integer: boolean): SliderScale | undefined {
+export function sliderScale(annotation: Range, standard: number | undefined, integer: boolean): SliderScale | undefined {
   const { min, max } = annotation;
   if (min === undefined || max === undefined || !(max > min)) return undefined;
   const span = max - min;

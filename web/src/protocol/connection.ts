@@ -15,6 +15,8 @@ export interface ConnectionHandlers {
   onState(state: ConnectionState, detail: string): void;
   onOpen(): void;
   onMessage(bytes: Uint8Array): void;
+  /** The other side has closed or was lost. A `stop` in here keeps the connection from being tried again. */
+  onClosed?(code: number, reason: string): void;
 }
 
 /** The part of WebSocket that is used, so that tests can stand in for it. */
@@ -95,6 +97,8 @@ export class Connection {
       if (socket === this.socket && data instanceof ArrayBuffer) this.handlers.onMessage(new Uint8Array(data));
     };
     socket.onclose = ({ code, reason }) => {
+      if (socket !== this.socket) return;
+      this.handlers.onClosed?.(code, reason);
       if (socket === this.socket) this.lose(reason || closeMeaning(code));
     };
     this.timer = setTimeout(() => this.lose("The server does not answer"), kOpenTimeoutMilliseconds);
@@ -129,6 +133,8 @@ function closeMeaning(code: number): string {
     case 1002:
     case 1007:
       return "The server could not read what this page sent";
+    case 1008:
+      return "This page read too slowly for the server";
     case 1009:
       return "A message was too large";
     case 1013:

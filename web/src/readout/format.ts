@@ -32,3 +32,27 @@ export function seconds(value: number | undefined): string {
 export function bytesPerSecond(value: number): string {
   return value >= 1e6 ? `${(value / 1e6).toFixed(1)} MB/s` : `${Math.round(value / 1e3)} kB/s`;
 }
+
+/** Three significant digits, with the unit's prefix where it saves zeros: "1.24 kJ", "310 mJ". */
+export function joules(value: number | undefined): string {
+  if (value === undefined || !Number.isFinite(value)) return kDash;
+  const size = Math.abs(value);
+  const [divisor, unit] = size >= 1e6 ? [1e6, "MJ"] : size >= 1e3 ? [1e3, "kJ"] : size >= 1 || size === 0 ? [1, "J"] : [1e-3, "mJ"];
+  return `${threeDigits(value / divisor)} ${unit}`;
+}
+
+export function perSecond(value: number | undefined): string {
+  return value === undefined || !Number.isFinite(value) ? kDash : `${threeDigits(value)} /s`;
+}
+
+/** Counts of iterations: medians may end in a half. */
+export function iterations(value: number | undefined): string {
+  return value === undefined || !Number.isFinite(value) ? kDash : String(Number(value.toFixed(1)));
+}
+
+/** 12.3, 1.23, 123; a value below 0.0005 is 0. */
+function threeDigits(value: number): string {
+  const size = Math.abs(value);
+  if (size < 0.0005) return "0";
+  return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3).replace(/^-/, "−");
+}

@@ -45,28 +45,61 @@ export class Window {
   }
 }
 
+/** Where the delay of an input went, ms, on the way that it took. The server's part is by the server's clock. */
+export interface DelayParts {
+  /** From the input to the message: moves within one animation frame become one. */
+  readonly gather: number;
+  /** From the arrival of the message to the sending of the frame. */
+  readonly server: number;
+  /** Both ways on the network, and decoding. */
+  readonly travel: number;
+  /** From the decoded picture to the screen. */
+  readonly draw: number;
+}
+
+/** What a drawn frame says about its delay. */
+export interface DrawnTimes {
+  readonly decodedAt: number;
+  readonly drawnAt: number;
+  /** Frame.response_milliseconds; 0 where the server says none. */
+  readonly response: number;
+}
+
 /** From a person's input to the first drawn frame that shows it. */
 export class DelayMeter {
-  private readonly waiting = new Map<number, number>();
+  private readonly waiting = new Map<number, { readonly inputTime: number; readonly sentAt: number }>();
   private readonly delays = new Window();
+  private readonly parts = { gather: new Window(), server: new Window(), travel: new Window(), draw: new Window() };
+  private lastParts: DelayParts | undefined;
 
-  /** An input made at `inputTime` left as message `sequence`. */
-  sent(sequence: number, inputTime: number): void {
-    if (sequence > 0) this.waiting.set(sequence, inputTime);
+  /** An input made at `inputTime` left as message `sequence` at `sentAt`. */
+  sent(sequence: number, inputTime: number, sentAt = inputTime): void {
+    if (sequence > 0) this.waiting.set(sequence, { inputTime, sentAt });
   }
 
   /** A frame was drawn that shows message `reflects` and, with it, all earlier ones. */
-  drawn(reflects: number, now: number): void {
-    for (const [sequence, inputTime] of this.waiting) {
+  drawn(reflects: number, times: DrawnTimes): void {
+    for (const [sequence, { inputTime, sentAt }] of this.waiting) {
       if (sequence > reflects) continue;
       this.waiting.delete(sequence);
-      this.delays.add(now, now - inputTime);
+      this.delays.add(times.drawnAt, times.drawnAt - inputTime);
+      if (sequence === reflects && times.response > 0) this.split(times, inputTime, sentAt);
     }
   }
 
   /** Median over the last second, ms. */
   median(now: number): number | undefined {
     return this.delays.median(now);
+  }
+
+  /** Means over the last second with inputs. */
+  meanParts(now: number): DelayParts | undefined {
+    const mean = (window: Window) => window.sum(now) / window.count(now);
+    const { gather, server, travel, draw } = this.parts;
+    if (server.count(now) > 0) {
+      this.lastParts = { gather: mean(gather), server: mean(server), travel: mean(travel), draw: mean(draw) };
+    }
+    return this.lastParts;
   }
 
   /** A message was refused, and no frame will show it. */
@@ -77,5 +110,15 @@ export class DelayMeter {
   forget(): void {
     this.waiting.clear();
     this.delays.clear();
+    for (const window of Object.values(this.parts)) window.clear();
+    this.lastParts = undefined;
+  }
+
+  private split({ decodedAt, drawnAt, response }: DrawnTimes, inputTime: number, sentAt: number): void {
+    this.parts.gather.add(drawnAt, sentAt - inputTime);
+    this.parts.server.add(drawnAt, response);
+    // Two clocks are involved, so that a difference of next to nothing may come out negative.
+    this.parts.travel.add(drawnAt, Math.max(0, decodedAt - sentAt - response));
+    this.parts.draw.add(drawnAt, drawnAt - decodedAt);
   }
 }

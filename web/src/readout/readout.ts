@@ -1,9 +1,13 @@
 // How well it runs: frames, delay, the simulation's pace and accuracy, where the time goes, and what is left out.
 
 import { Codec, type Plan, type PlanChanged, type Stats, type Welcome } from "../gen/sluice/v1/session_pb";
+import { codecName } from "../picture/codecs";
+import type { DrawnFrame } from "../picture/picture";
 import { h, setText } from "../ui/dom";
+import { remember, remembered } from "../ui/preferences";
 import { explain } from "../ui/tooltip";
-import type { DrawnFrame } from "../view/picture";
+import { DelaySplit } from "./delay_split";
+import { ErrorCost } from "./error_cost";
 import { bytesPerSecond, count, factor, milliseconds, percent } from "./format";
 import { DelayMeter, Window } from "./meters";
 import { type Stage, StageList } from "./stage_list";
@@ -26,6 +30,8 @@ export class Readout {
   private readonly rate = new Window();
   private readonly bytes = new Window();
   private readonly figures: Record<FigureName, { value: HTMLElement; note: HTMLElement }>;
+  private readonly split = new DelaySplit();
+  private readonly errorCost = new ErrorCost();
   private readonly frameStages = new StageList();
   private readonly stepStages = new StageList();
   private readonly leftOut = h("ul", { class: "left-out" });
@@ -60,6 +66,8 @@ export class Readout {
     };
     container.append(
       grid,
+      section("Delay of an input", this.split.element),
+      section("Error and cost", this.errorCost.element),
       section("Time per picture", this.frameStages.element),
       section("Time per step", this.stepStages.element),
       section("Left out", this.leftOut),
@@ -72,7 +80,7 @@ export class Readout {
     const { frame, receivedAt, decodedAt, drawnAt } = drawn;
     this.lastFrame = drawn;
     this.rate.add(drawnAt);
-    this.delay.drawn(Number(frame.reflectsSequence), drawnAt);
+    this.delay.drawn(Number(frame.reflectsSequence), { decodedAt, drawnAt, response: frame.responseMilliseconds });
     const local: Stage[] = [
       { name: "decode (here)", milliseconds: decodedAt - receivedAt },
       { name: "wait for the screen", milliseconds: drawnAt - decodedAt },
@@ -86,6 +94,7 @@ export class Readout {
 
   statsReceived(stats: Stats): void {
     this.stats = stats;
+    this.errorCost.add(stats, performance.now());
     if (stats.stages.length > 0) this.stepStages.add(stats.stages);
     else this.stepStages.clear();
   }
@@ -94,6 +103,16 @@ export class Readout {
     const entries = [...leftOutOf(plan.frame, "picture"), ...leftOutOf(plan.steps, "step")];
     const none = h("li", {}, h("span", { class: "reason" }, "Nothing: this scene needs all there is."));
     this.leftOut.replaceChildren(...(entries.length > 0 ? entries : [none]));
+  }
+
+  /** The parameters of the simulation have changed; `what` says which, in a few words. */
+  simulationChanged(what: string): void {
+    this.errorCost.changed(what, performance.now());
+  }
+
+  /** Another scene: its figures are not to be compared with those of the one before. */
+  sceneLoaded(): void {
+    this.errorCost.clear();
   }
 
   welcomed(welcome: Welcome): void {
@@ -107,6 +126,7 @@ export class Readout {
   /** The connection is lost: figures of the past would pass for the present. */
   disconnected(): void {
     this.delay.forget();
+    this.errorCost.clear();
     this.rate.clear();
     this.bytes.clear();
     this.stats = undefined;
@@ -129,14 +149,16 @@ export class Readout {
     const delay = this.delay.median(now);
     const rate = !this.lastFrame ? "–" : frames === 0 && stats?.paused ? "at rest" : `${frames} /s`;
     const speed = stats?.paused ? "paused" : factor(stats?.realTimeFactor);
-    this.set("rate", rate);
-    this.set("delay", milliseconds(delay));
+    this.set("rate", rate, this.pictureInWords());
+    this.set("delay", milliseconds(delay), this.lastFrame && bytesPerSecond(this.bytes.sum(now)));
     this.set("speed", speed);
     this.set("particles", count(stats?.particles));
     this.set("error", percent(stats?.meanDensityError), stats && `max ${percent(stats.maxDensityError)}`);
     this.set("step", milliseconds(stats && 1000 * stats.timeStepSeconds), stats?.timeStepLimit.replaceAll("_", " "));
     const brief = [rate, delay === undefined ? "" : milliseconds(delay), speed].filter((part) => part && part !== "–");
     setText(this.brief, brief.join(" · "));
+    if (this.split.element.checkVisibility()) this.split.show(this.delay.meanParts(now));
+    this.errorCost.draw();
     this.frameStages.draw();
     this.stepStages.draw();
     if (this.link.checkVisibility()) this.drawLink(now);
@@ -147,11 +169,19 @@ export class Readout {
     setText(this.figures[name].note, note);
   }
 
+  /** "H.264 · q 80", or "PNG · exact". */
+  private pictureInWords(): string | undefined {
+    const frame = this.lastFrame?.frame;
+    if (!frame) return undefined;
+    const grade = frame.codec === Codec.PNG ? "exact" : frame.quality > 0 ? `q ${frame.quality}` : "";
+    return [codecName(frame.codec), grade].filter((part) => part !== "").join(" · ");
+  }
+
   private drawLink(now: number): void {
     const frame = this.lastFrame?.frame;
     const lines: [string, string][] = [
       ["Round trip", milliseconds(this.roundTrip)],
-      ["Pictures", frame ? `${frame.width} × ${frame.height}, ${Codec[frame.codec] ?? "unknown"}` : "–"],
+      ["Pictures", frame ? `${frame.width} × ${frame.height} · ${this.pictureInWords()}` : "–"],
       ["Data", bytesPerSecond(this.bytes.sum(now))],
       ["Drawn by", this.welcome?.renderer || "–"],
       ["Server", this.welcome?.serverVersion || "–"],
@@ -163,8 +193,17 @@ export class Readout {
   }
 }
 
+/** A part that folds; whether it is open is remembered. */
 function section(title: string, body: HTMLElement): HTMLElement {
-  return h("details", { class: "group level-2" }, h("summary", {}, h("span", {}, title)), h("div", { class: "group-body" }, body));
+  const key = `section.${title}`;
+  const details = h(
+    "details",
+    { class: "group level-2", open: remembered(key) === "open" },
+    h("summary", {}, h("span", {}, title)),
+    h("div", { class: "group-body" }, body),
+  );
+  details.addEventListener("toggle", () => remember(key, details.open ? "open" : "closed"));
+  return details;
 }
 
 function leftOutOf(plan: Plan | undefined, where: string): HTMLElement[] {

@@ -11,6 +11,8 @@ export class Notices {
 
   /** A lasting notice stays until it is closed or `remove` is called. */
   show(message: string, lasting = false): { remove(): void } {
+    // The same message again adds nothing but its newness.
+    for (const shown of this.container.children) if (shown.firstElementChild?.textContent === message) shown.remove();
     const close = h("button", { type: "button", "aria-label": "Close this message" }, icon("close", 12));
     const notice = h("div", { class: "notice", role: "alert" }, h("span", {}, message), close);
     const remove = () => notice.remove();

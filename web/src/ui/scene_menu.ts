@@ -9,6 +9,7 @@ const kOther = "";
 export class SceneMenu {
   private entries: readonly SceneEntry[] = [];
   private current = kOther;
+  private reason: string | undefined;
 
   constructor(
     private readonly select: HTMLSelectElement,
@@ -35,9 +36,16 @@ export class SceneMenu {
     this.revert();
   }
 
+  /** With the reason why the scene cannot be changed, or without. */
+  forbid(reason: string | undefined): void {
+    this.select.disabled = reason !== undefined;
+    this.reason = reason;
+    this.revert();
+  }
+
   /** A choice was refused. */
   revert(): void {
     this.select.value = this.current;
-    this.select.title = this.select.selectedOptions[0]?.text ?? "";
+    this.select.title = this.reason ?? this.select.selectedOptions[0]?.text ?? "";
   }
 }

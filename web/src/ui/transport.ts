@@ -13,6 +13,9 @@ export interface TransportHost {
 
 export class Transport {
   private paused = false;
+  /** Why this viewer may not drive the simulation, or undefined where it may. */
+  private reason: string | undefined;
+  private readonly driving: readonly { readonly button: HTMLButtonElement; readonly title: string }[];
   private readonly play = button("pause", "Pause", "Space");
   private readonly time = h("output", { class: "time", "aria-label": "Simulation time" }, "–");
 
@@ -30,6 +33,7 @@ export class Transport {
     view.addEventListener("click", (event) => host.resetCamera(event.timeStamp));
     save.addEventListener("click", () => host.savePicture());
     this.play.classList.add("play");
+    this.driving = [reset, this.play, step].map((driven) => ({ button: driven, title: driven.title }));
     container.append(reset, this.play, step, this.time, h("span", { class: "rule" }), view, save);
     document.addEventListener("keydown", (event) => this.key(event));
   }
@@ -40,9 +44,17 @@ export class Transport {
       const label = paused ? "Play" : "Pause";
       this.play.replaceChildren(icon(paused ? "play" : "pause"));
       this.play.setAttribute("aria-label", label);
-      this.play.title = `${label} (Space)`;
+      this.play.title = this.reason ?? `${label} (Space)`;
     }
     setText(this.time, seconds(simulationTime));
+  }
+
+  forbid(reason: string | undefined): void {
+    this.reason = reason;
+    for (const { button: driven, title } of this.driving) {
+      driven.disabled = reason !== undefined;
+      driven.title = reason ?? title;
+    }
   }
 
   private toggle(): void {
@@ -70,7 +82,7 @@ export class Transport {
 function isFree(event: KeyboardEvent): boolean {
   const target = event.target instanceof HTMLElement ? event.target : undefined;
   if (!target) return true;
-  if (target.matches("select, textarea, input:not([type=range], [type=checkbox])")) return false;
+  if (target.matches("select, textarea, input:not([type=range], [type=checkbox], [type=radio])")) return false;
   const pressedBySpace = target.matches("button, summary, input[type=checkbox]");
   if (event.key === " " && pressedBySpace) return false;
   return !(event.key === "Home" && target.matches("input[type=range]"));

@@ -109,3 +109,17 @@ const kFramedAspect = 4 / 3;
 export function framed(camera: Camera, aspect: number): Camera {
   return aspect > 0 && aspect < kFramedAspect ? zoom(camera, kFramedAspect / aspect) : camera;
 }
+
+/** A ray from the eye; `direction` is of length 1. */
+export interface Ray {
+  readonly origin: Vec3;
+  readonly direction: Vec3;
+}
+
+/** The ray through a point of the picture: `x` from its left and `y` from its top, as shares of its size. */
+export function rayThrough(camera: Camera, aspect: number, x: number, y: number): Ray {
+  const { right, up, forward } = viewAxes(camera);
+  const half = Math.tan((camera.verticalFovDegrees * Math.PI) / 360);
+  const across = add(scale(right, (2 * x - 1) * half * aspect), scale(up, (1 - 2 * y) * half));
+  return { origin: camera.eye, direction: direction(add(forward, across), forward) };
+}

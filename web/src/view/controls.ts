@@ -3,10 +3,13 @@
 import { type Camera, orbit, pan, zoom } from "./camera";
 
 export interface CameraHost {
+  /** Undefined while there is no camera to move. */
   camera(): Camera | undefined;
   /** `inputTime` is when the person moved, on the clock of performance.now(). */
   moveCamera(camera: Camera, inputTime: number): void;
   resetCamera(inputTime: number): void;
+  /** One finger, the left button and the plain arrow keys turn the camera, and serve no tool. */
+  turns(): boolean;
 }
 
 interface Point {
@@ -38,7 +41,9 @@ export class CameraControls {
       canvas.addEventListener(type, (event) => this.release(event));
     }
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-    canvas.addEventListener("dblclick", (event) => host.resetCamera(event.timeStamp));
+    canvas.addEventListener("dblclick", (event) => {
+      if (host.turns()) host.resetCamera(event.timeStamp);
+    });
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("keydown", (event) => this.key(event));
   }
@@ -76,6 +81,7 @@ export class CameraControls {
       return;
     }
     const panning = event.pointerType === "mouse" && (event.shiftKey || (event.buttons & 1) === 0);
+    if (!panning && !this.host.turns()) return;
     const moved = panning ? pan(camera, -dx, dy) : orbit(camera, -dx * kTurnPerHeight, dy * kTurnPerHeight);
     this.host.moveCamera(moved, event.timeStamp);
   }
@@ -96,6 +102,7 @@ export class CameraControls {
 
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key.startsWith("Arrow") && !event.shiftKey && !this.host.turns()) return;
     const camera = this.host.camera();
     const moved = camera && keyMove(camera, event.key, event.shiftKey);
     if (!moved) return;
