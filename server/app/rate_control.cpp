@@ -25,10 +25,18 @@ constexpr double kLongestRoundTrip = 0.25;
 constexpr double kFull = 0.06;
 constexpr double kRoom = 0.03;
 
-/// Shares of the measured rate that is taken, and steps up from there.
+/// Frames so much smaller than the largest tell what a frame takes however small it is.
+constexpr double kSmall = 0.3;
+
+/// The share that is taken of the measured rate, and steps up from there: slow ones near the rate at which the link was
+/// last full, quick ones below and beyond it.
 constexpr double kBackOff = 0.85;
-constexpr double kRise = 1.15;
-constexpr double kRiseSeconds = 1;
+constexpr double kNearBelow = 0.7;
+constexpr double kNearAbove = 1.3;
+constexpr double kQuickRise = 2;
+constexpr double kRise = 1.12;
+constexpr double kRiseSeconds = 0.5;
+constexpr double kBetterSeconds = 1;
 /// A budget so many times over what the best quality needs is none.
 constexpr double kPlenty = 4;
 
@@ -75,7 +83,6 @@ void RateController::acknowledged(std::uint64_t frameId, Clock::time_point now) 
   for (; !underWay_.empty() && underWay_.front().frameId <= frameId; underWay_.pop_front()) {
     const double delay = secondsBetween(underWay_.front().sent, now);
     arrivals_.push_back({now, underWay_.front().bytes, delay});
-    delay_ = arrivals_.size() == 1 ? delay : 0.6 * delay_ + 0.4 * delay;
   }
   while (!arrivals_.empty() && secondsBetween(arrivals_.front().when, now) > kMemorySeconds) arrivals_.pop_front();
   if (arrivals_.empty()) return;
@@ -83,10 +90,30 @@ void RateController::acknowledged(std::uint64_t frameId, Clock::time_point now) 
   if (view_.mode == v1::AUTOMATIC) aim(now);
 }
 
-double RateController::quickest() const {
-  double least = kLongestRoundTrip;
-  for (const Arrival& arrival : arrivals_) least = std::min(least, arrival.delay);
-  return least;
+double RateController::quickest() {
+  std::size_t largest = 0;
+  for (const Arrival& arrival : arrivals_) largest = std::max(largest, arrival.bytes);
+  double least = std::numeric_limits<double>::infinity();
+  double leastOfSmall = least;
+  for (const Arrival& arrival : arrivals_) {
+    least = std::min(least, arrival.delay);
+    if (static_cast<double>(arrival.bytes) < kSmall * static_cast<double>(largest)) {
+      leastOfSmall = std::min(leastOfSmall, arrival.delay);
+    }
+  }
+  // A viewer that is far or busy takes its time with small frames too. As long as there were none, a slow frame tells of
+  // the link.
+  if (std::isfinite(leastOfSmall)) ofSmallFrames_ = leastOfSmall;
+  return std::min(least, std::max(ofSmallFrames_, kLongestRoundTrip));
+}
+
+double RateController::recentDelay() const {
+  const std::size_t count = arrivals_.size();
+  if (count < 3) return arrivals_.back().delay;
+  const double a = arrivals_[count - 3].delay;
+  const double b = arrivals_[count - 2].delay;
+  const double c = arrivals_[count - 1].delay;
+  return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
 double RateController::deliveredRate() const {
@@ -107,12 +134,15 @@ double RateController::deliveredRate() const {
 }
 
 void RateController::judge(Clock::time_point now) {
-  const double queued = delay_ - quickest();
-  if (queued > kFull && secondsBetween(lastChange_, now) > std::max(delay_, 0.2)) {
-    budget_ = kBackOff * std::min(budget_, deliveredRate());
+  const double delay = recentDelay();
+  const double queued = delay - quickest();
+  if (queued > kFull && secondsBetween(lastChange_, now) > std::max(delay, 0.2)) {
+    limit_ = std::min(budget_, deliveredRate());
+    budget_ = kBackOff * limit_;
     lastChange_ = now;
   } else if (queued < kRoom && std::isfinite(budget_) && secondsBetween(lastChange_, now) > kRiseSeconds) {
-    budget_ *= kRise;
+    const bool near = budget_ > kNearBelow * limit_ && budget_ < kNearAbove * limit_;
+    budget_ *= near ? kRise : kQuickRise;
     lastChange_ = now;
     if (budget_ > kPlenty * bytesAt(view_.quality, 1) * frameRate()) {
       budget_ = std::numeric_limits<double>::infinity();
@@ -160,7 +190,7 @@ void RateController::aim(Clock::time_point now) {
   const bool less = wanted.scale < target_.scale || wanted.quality <= target_.quality - kQualityStep;
   const bool more = wanted.scale > target_.scale || wanted.quality >= target_.quality + kQualityStep ||
                     (wanted.quality == view_.quality && target_.quality != view_.quality);
-  if (less || (more && secondsBetween(lastRise_, now) > kRiseSeconds)) {
+  if (less || (more && secondsBetween(lastRise_, now) > kBetterSeconds)) {
     target_.quality = wanted.quality;
     target_.scale = wanted.scale;
     lastRise_ = now;

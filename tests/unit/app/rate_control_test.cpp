@@ -22,6 +22,8 @@ class Link {
 
   void setCapacity(double bytesPerSecond) { bytesPerSecond_ = bytesPerSecond; }
 
+  void setRoundTrip(double seconds) { roundTrip_ = seconds; }
+
   struct Run {
     double longestDelay = 0;     ///< From sending a frame to its acknowledgement, s, in the run's second half.
     double framesPerSecond = 0;  ///< In its second half.
@@ -148,6 +150,26 @@ TEST(RateControl, RecoversWhenTheLinkDoes) {
   link.play(rate, view(), 40);
   EXPECT_EQ(rate.target().quality, 85);
   EXPECT_EQ(rate.target().scale, 1);
+}
+
+// A viewer that starts up, or whose machine is busy, is late with every frame, small or large.
+TEST(RateControl, ASlowStartIsForgottenWithinSeconds) {
+  RateController rate = controller();
+  Link link(50e6, 7);
+  link.play(rate, view(), 15);
+  link.setRoundTrip(0.02);
+  link.play(rate, view(), 12);
+  EXPECT_EQ(rate.target().quality, 85);
+  EXPECT_EQ(rate.target().scale, 1);
+}
+
+TEST(RateControl, AViewerThatIsSlowByItselfKeepsItsPictures) {
+  RateController rate = controller();
+  Link link(50e6, 0.6);
+  const Link::Run run = link.play(rate, view(), 30);
+  EXPECT_EQ(rate.target().scale, 1);
+  EXPECT_GE(rate.target().quality, 70);
+  EXPECT_GT(run.framesPerSecond, 3);
 }
 
 TEST(RateControl, FixedQualityIsNeverTouched) {

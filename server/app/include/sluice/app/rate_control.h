@@ -66,7 +66,8 @@ class RateController {
     double delay;
   };
 
-  double quickest() const;
+  double quickest();
+  double recentDelay() const;
   double deliveredRate() const;
   double frameRate() const;
   double bytesAt(int quality, double scale) const;
@@ -79,9 +80,10 @@ class RateController {
   std::deque<UnderWay> underWay_;
   std::deque<Arrival> arrivals_;
   double drawSeconds_ = 0;
-  double delay_ = 0;          ///< Smoothed, s.
+  double ofSmallFrames_ = 0;  ///< What small frames took last, s; 0 while there were none.
   double bytesPerPixel_ = 0;  ///< At quality 85; 0 before the first frame.
   double budget_ = std::numeric_limits<double>::infinity();
+  double limit_ = std::numeric_limits<double>::infinity();  ///< What the link carried when it was last full.
   Clock::time_point lastChange_{};
   Clock::time_point lastRise_{};
 };
