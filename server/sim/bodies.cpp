@@ -41,8 +41,12 @@ Bodies::Bodies(const List& bodies, const Container& container, const Discretisat
     if (bodies[k].has_mesh() && !body.shape().isClosed()) {
       notices_.push_back(name + " is a mesh with edges that do not have two faces: a thin wall without an inside");
     }
-    walls_.push_back(
-        {body, {discretisation.spacing, 0, body.isSolid() ? layers : 1}, path, name, !feltAsMoving(bodies[k])});
+    walls_.push_back({body,
+                      {discretisation.spacing, 0, body.isSolid() ? layers : 1},
+                      path,
+                      name,
+                      !feltAsMoving(bodies[k]),
+                      bodies[k].adhesion()});
   }
 }
 
@@ -53,16 +57,27 @@ double Bodies::expectedSamples(std::size_t body) const {
 
 std::vector<Bodies::Sample> Bodies::samples() const {
   std::vector<Sample> samples;
-  for (const Wall& wall : walls_) {
+  for (std::size_t k = 0; k < walls_.size(); ++k) {
+    const Wall& wall = walls_[k];
     if (!wall.stands || !within_.intersects(wall.body.bounds())) continue;
     wall.body.shape().sample(wall.sampling, [&](const Vector3d& own) {
       const Vector3d x = wall.body.pose() * own;
       if (!within_.contains(x)) return;
       const Eigen::Vector3f place = x.cast<float>();
-      samples.push_back({{place.x(), place.y(), place.z(), 0}, wall.sampling.layers});
+      samples.push_back({{place.x(), place.y(), place.z(), 0}, wall.sampling.layers, k});
     });
   }
   return samples;
+}
+
+double Bodies::largestAdhesion() const {
+  double largest = 0;
+  for (const Wall& wall : walls_) largest = std::max(largest, wall.adhesion);
+  return largest;
+}
+
+bool Bodies::anyStandingAdheres() const {
+  return std::ranges::any_of(walls_, [](const Wall& wall) { return wall.stands && wall.adhesion > 0; });
 }
 
 ClosestPoint Bodies::closest(const Vector3d& x, BodySet bodies, double reach) const {

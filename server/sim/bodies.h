@@ -34,7 +34,8 @@ class Bodies {
   /// A point of a body's surface that a boundary particle stands for.
   struct Sample {
     Float4 position;
-    int layers;  ///< That its body's wall is thick.
+    int layers;        ///< That its body's wall is thick.
+    std::size_t body;  ///< Whose it is.
   };
 
   Bodies() = default;
@@ -66,6 +67,11 @@ class Bodies {
   /// "bodies[2] (pillar)".
   const std::string& nameOf(std::size_t body) const { return walls_[body].name; }
 
+  double adhesion(std::size_t body) const { return walls_[body].adhesion; }  ///< N/m.
+  double largestAdhesion() const;                                            ///< Of any, N/m.
+  /// Whether fluid adheres to one that stands.
+  bool anyStandingAdheres() const;
+
   /// What a person may not expect of them.
   const std::vector<std::string>& notices() const { return notices_; }
 
@@ -76,6 +82,7 @@ class Bodies {
     std::string path;    ///< "bodies[2]".
     std::string name;    ///< "bodies[2] (pillar)".
     bool stands = true;  ///< Is not felt as moving.
+    double adhesion = 0;
   };
 
   std::vector<Wall> walls_;

@@ -22,50 +22,65 @@ std::array<std::int64_t, 3> intervals(const Container& container, double spacing
   return n;
 }
 
+/// Σ_k W over a plane square lattice of spacing d, at `height` above a place that is so many spacings off a point of
+/// it, 1/m³.
+double planeSum(const Discretisation& discretisation, double offsetX, double offsetY, double height) {
+  const double spacing = discretisation.spacing;
+  const double support = discretisation.support;
+  const int reach = static_cast<int>(std::ceil(support / spacing)) + 1;
+  const int reachInY = discretisation.dimensions == 2 ? 0 : reach;
+  return withKernel(discretisation.kernel, [&]<class Kernel>(Kernel) {
+    double sum = 0;
+    for (int y = -reachInY; y <= reachInY; ++y) {
+      for (int x = -reach; x <= reach; ++x) {
+        const double dx = (x + offsetX) * spacing;
+        const double dy = (y + offsetY) * spacing;
+        sum += kernelValue<Kernel>(std::sqrt(dx * dx + dy * dy + height * height), support, discretisation.dimensions);
+      }
+    }
+    return sum;
+  });
+}
+
+/// Σ_k W_bk of a particle of one of a wall's layers over all of them, 1/m³.
+double densityInWall(const Discretisation& discretisation, int layers, int layer) {
+  double sum = 0;
+  for (int other = 0; other < layers; ++other) {
+    sum += planeSum(discretisation, 0, 0, static_cast<double>(layer - other) * discretisation.spacing);
+  }
+  return sum;
+}
+
 }  // namespace
 
 double wallCalibration(const Discretisation& discretisation, int layers) {
-  const int dimensions = discretisation.dimensions;
+  constexpr int kOffsets = 8;
   const double spacing = discretisation.spacing;
-  const double support = discretisation.support;
-  return withKernel(discretisation.kernel, [&]<class Kernel>(Kernel) {
-    const int reach = static_cast<int>(std::ceil(support / spacing)) + 1;
-    const auto planeSum = [&](double offsetX, double offsetY, double height) {
-      double sum = 0;
-      const int reachInY = dimensions == 2 ? 0 : reach;
-      for (int y = -reachInY; y <= reachInY; ++y) {
-        for (int x = -reach; x <= reach; ++x) {
-          const double dx = (x + offsetX) * spacing;
-          const double dy = (y + offsetY) * spacing;
-          sum += kernelValue<Kernel>(std::sqrt(dx * dx + dy * dy + height * height), support, dimensions);
-        }
+  const int offsetsInY = discretisation.dimensions == 2 ? 1 : kOffsets;
+  const double first = densityInWall(discretisation, layers, 0);
+  double above = 0;
+  for (int layer = 0; layer < layers; ++layer) {
+    const double height = static_cast<double>(layer + 1) * spacing;
+    double mean = 0;
+    for (int a = 0; a < kOffsets; ++a) {
+      for (int b = 0; b < offsetsInY; ++b) {
+        mean += planeSum(discretisation, a / double{kOffsets}, b / double{kOffsets}, height) / (kOffsets * offsetsInY);
       }
-      return sum;
-    };
-    /// Σ_k W_bk of a particle of a layer over all layers.
-    const auto around = [&](int layer) {
-      double sum = 0;
-      for (int other = 0; other < layers; ++other) {
-        sum += planeSum(0, 0, static_cast<double>(layer - other) * spacing);
-      }
-      return sum;
-    };
-    constexpr int kOffsets = 8;
-    const int offsetsInY = dimensions == 2 ? 1 : kOffsets;
-    const double first = around(0);
-    double above = 0;
-    for (int layer = 0; layer < layers; ++layer) {
-      const double height = static_cast<double>(layer + 1) * spacing;
-      double mean = 0;
-      for (int a = 0; a < kOffsets; ++a) {
-        for (int b = 0; b < offsetsInY; ++b) {
-          mean += planeSum(a / double{kOffsets}, b / double{kOffsets}, height) / (kOffsets * offsetsInY);
-        }
-      }
-      above += mean * (first / around(layer));
     }
-    return (1 - halfSpaceDensity(discretisation.kernel, spacing, support, dimensions)) * first / above;
-  });
+    above += mean * (first / densityInWall(discretisation, layers, layer));
+  }
+  const double alone =
+      halfSpaceDensity(discretisation.kernel, spacing, discretisation.support, discretisation.dimensions);
+  return (1 - alone) * first / above;
+}
+
+std::vector<double> wallVolumes(const Discretisation& discretisation, int layers) {
+  const double calibration = wallCalibration(discretisation, layers);
+  std::vector<double> volumes;
+  for (int layer = 0; layer < layers; ++layer) {
+    volumes.push_back(calibration / densityInWall(discretisation, layers, layer) / discretisation.volume);
+  }
+  return volumes;
 }
 
 std::vector<Float4> sampleBox(const Container& container, double spacing, int layers) {
@@ -120,13 +135,19 @@ Boundary::Boundary(const Container& container, const Bodies& bodies, const Discr
   const double calibration = wallCalibration(discretisation, layers);
   const double thinCalibration = layers == 1 ? calibration : wallCalibration(discretisation, 1);
   std::vector<double> calibrations(points.size(), calibration);
+  std::vector<std::uint8_t> surfaces(points.size(), kContainerSurface);
   for (const Bodies::Sample& sample : bodies.samples()) {
     points.push_back(sample.position);
     calibrations.push_back(sample.layers == 1 ? thinCalibration : calibration);
+    surfaces.push_back(static_cast<std::uint8_t>(sample.body + 1));
   }
   grid_.sort(points, team);
   points_.resize(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) points_[k] = points[grid_.order()[k]];
+  surfaces_.resize(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    points_[k] = points[grid_.order()[k]];
+    surfaces_[k] = surfaces[grid_.order()[k]];
+  }
 
   volumes_.resize(points_.size());
   withKernel(discretisation.kernel, [&]<class Kernel>(Kernel) {

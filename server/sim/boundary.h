@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "bodies.h"
@@ -19,6 +20,9 @@ int boundaryLayers(const Discretisation& discretisation);
 /// wall is a lattice of the same spacing, `layers` thick; the mean over where the fluid stands above it.
 double wallCalibration(const Discretisation& discretisation, int layers);
 
+/// V_b over the volume of a fluid particle in each layer of such a wall, the outermost first.
+std::vector<double> wallVolumes(const Discretisation& discretisation, int layers);
+
 /// Points of the faces of a lattice that fills the container's box, and of layers - 1 shells around it.
 std::vector<Float4> sampleBox(const Container& container, double spacing, int layers);
 
@@ -30,6 +34,9 @@ std::vector<Float4> sampleBox(const Container& container, double spacing, int la
 /// Where a body stands on a face, or two touch, all are counted together, so that a joint weighs no more than a face.
 class Boundary {
  public:
+  /// The container's faces and planes.
+  static constexpr std::uint8_t kContainerSurface = 0;
+
   Boundary(const Container& container, const Bodies& bodies, const Discretisation& discretisation,
            const CellGeometry& geometry, const Team& team);
 
@@ -41,12 +48,15 @@ class Boundary {
   /// In the order of grid().
   const std::vector<Float4>& points() const { return points_; }
   const std::vector<float>& volumes() const { return volumes_; }  ///< V_b over the volume of a fluid particle.
+  /// What each lies on: kContainerSurface, or 1 + k for the k-th of the Bodies.
+  const std::vector<std::uint8_t>& surfaces() const { return surfaces_; }
   const CellGrid& grid() const { return grid_; }
 
  private:
   CellGrid grid_;
   std::vector<Float4> points_;
   std::vector<float> volumes_;
+  std::vector<std::uint8_t> surfaces_;
 };
 
 }  // namespace sluice::sim

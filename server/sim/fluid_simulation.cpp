@@ -104,6 +104,7 @@ bool sameMethods(const v1::Simulation& a, const v1::Simulation& b) {
 void copyLiveFields(const v1::Simulation& from, v1::Simulation& to) {
   *to.mutable_gravity() = from.gravity();
   to.set_max_particles(from.max_particles());
+  to.set_wall_adhesion(from.wall_adhesion());
   *to.mutable_time_step() = from.time_step();
   if (from.has_dfsph()) *to.mutable_dfsph() = from.dfsph();
   if (from.has_iisph()) *to.mutable_iisph() = from.iisph();
@@ -143,7 +144,8 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
       lists_(options.loops != nullptr ? *options.loops : bestPairLoops(),
              PairScale(discretisation_, container_.period())),
       solver_(makePressureSolver(settings)),
-      surfaceTension_(makeSurfaceTension(settings)) {
+      surfaceTension_(makeSurfaceTension(settings)),
+      adhesion_(discretisation_) {
   checkPlanar(settings);
   checkPeriod(container_, discretisation_.support);
   const InitialState initial = startAnew();

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "adhesion.h"
 #include "bodies.h"
 #include "body_contacts.h"
 #include "boundary.h"
@@ -151,6 +152,7 @@ class FluidSimulation : public core::ParticleSource {
   ExplicitViscosity explicitViscosity_;
   ImplicitViscosity implicitViscosity_;
   std::unique_ptr<SurfaceTension> surfaceTension_;
+  Adhesion adhesion_;
   MicropolarModel micropolar_;
 
   double time_ = 0;

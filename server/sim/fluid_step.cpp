@@ -63,6 +63,7 @@ TimeStepInputs FluidSimulation::timeStepInputs() const {
           .acceleration = std::max(largestAcceleration(), pressureAcceleration_),
           .viscosity = discretisation_.viscosityScale * mixture_.largestViscosity(),
           .kinematicTension = tension / mixture_.lightest(),
+          .kinematicAdhesion = std::max(settings_.wall_adhesion(), bodies_.largestAdhesion()) / mixture_.lightest(),
           .speedOfSound = solver_->speedOfSound(),
           .courant = settings_.wcsph().courant(),
           .viscosityChoice = viscosityChoiceOf(settings_),
@@ -89,6 +90,8 @@ StepTraits FluidSimulation::traits() const {
           .bodiesMove = movingBodies_.anyMoves(),
           .bodiesRub = movingBodies_.anyRubs(),
           .bodiesInReach = bodiesInReach_,
+          .standingAdhere = bodies_.anyStandingAdheres(),
+          .movingAdhere = movingBodies_.anyAdheres(),
           .forceField = hasForceField(),
           .implicitViscosity = length.implicitViscosity,
           .emitting = population_.emitting(time_)};
@@ -101,6 +104,7 @@ StepPlan FluidSimulation::currentPlan() const {
   v1::Simulation busy = settings_;
   busy.mutable_gravity()->set_y(-1);
   busy.mutable_fluids(0)->set_viscosity(1);
+  busy.set_wall_adhesion(1);
   if (busy.has_surface_tension()) busy.mutable_surface_tension()->set_tension(1);
   if (busy.has_micropolar()) busy.mutable_micropolar()->set_transfer(1);
   return planStep(busy, {.particles = present.particles,
@@ -204,6 +208,8 @@ void FluidSimulation::run(Stage stage, StepContext& step) {
       return acceptLength(step);
     case Stage::SurfaceTension:
       return surfaceTension_->apply(settings_.surface_tension(), step);
+    case Stage::Adhesion:
+      return adhesion_.apply(settings_.wall_adhesion(), bodies_, step);
     case Stage::Micropolar:
       return micropolar_.apply(settings_.micropolar(), step);
     case Stage::Viscosity:

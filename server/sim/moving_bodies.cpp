@@ -77,6 +77,7 @@ MovingBodies::MovingBodies(const Bodies::List& bodies, const Container& containe
     }
     anyFloats_ = anyFloats_ || floats;
     anyMoves_ = anyMoves_ || floats || moves(settings);
+    anyAdheres_ = anyAdheres_ || (moving.holdsFluid && settings.adhesion() > 0);
     anyRubs_ = anyRubs_ || (moving.holdsFluid && moving.friction > 0);
     bodies_.push_back(std::move(moving));
   }

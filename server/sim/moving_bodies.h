@@ -45,6 +45,7 @@ class MovingBodies {
   bool anyMoves() const { return anyMoves_; }
   bool anyFloats() const { return anyFloats_; }
   bool anyRubs() const { return anyRubs_; }
+  bool anyAdheres() const { return anyAdheres_; }
 
   /// Back to where the scene puts them.
   void reset();
@@ -68,6 +69,7 @@ class MovingBodies {
   bool isSolid(std::size_t k) const { return bodies_[k].holdsFluid; }
   bool floats(std::size_t k) const { return bodies_[k].mass > 0; }
   double friction(std::size_t k) const { return bodies_[k].friction; }
+  double adhesion(std::size_t k) const { return bodies_[k].settings.adhesion(); }  ///< N/m.
   const solids::SurfaceSampling& sampling(std::size_t k) const { return bodies_[k].sampling; }
   const Eigen::Vector3d& centre(std::size_t k) const { return state_[k].position; }
 
@@ -127,6 +129,7 @@ class MovingBodies {
   bool anyMoves_ = false;
   bool anyFloats_ = false;
   bool anyRubs_ = false;
+  bool anyAdheres_ = false;
   std::shared_ptr<const RigidWorld> world_;  ///< Null where none floats.
 };
 

@@ -21,6 +21,7 @@ const std::vector<StageDescription>& descriptions() {
       {Stage::TimeStep, "time step", {"velocities"}, {"time step"}},
       {Stage::DivergenceSolve, "divergence solve", {"pairs", "factors"}, {"velocities", "divergence impulses"}},
       {Stage::SurfaceTension, "surface tension", {"pairs", "positions", "densities"}, {"velocities"}},
+      {Stage::Adhesion, "adhesion", {"positions", "cells", "boundary particles"}, {"velocities", "bodies' velocities"}},
       {Stage::Micropolar, "micropolar", {"pairs", "positions", "spins"}, {"velocities", "spins"}},
       {Stage::Viscosity, "viscosity", {"pairs", "positions"}, {"velocities"}},
       {Stage::ImplicitViscosity, "implicit viscosity", {"pairs", "positions"}, {"velocities"}},
@@ -117,6 +118,13 @@ bool endsStep(Stage stage) {
 
 bool hasEmitters(const v1::Fluid& fluid) { return fluid.emitters_size() > 0; }
 
+std::string_view reasonWithoutAdhesion(const v1::Simulation& simulation, const StepTraits& traits) {
+  const bool standing = simulation.wall_adhesion() > 0 || traits.standingAdhere;
+  if (!standing && !traits.movingAdhere) return "no wall or body has any";
+  const bool near = (standing && traits.boundaryInReach) || (traits.movingAdhere && traits.bodiesInReach);
+  return near ? "" : "no particle is near what has it";
+}
+
 /// Why a stage has nothing to do; empty when it has.
 std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation, const StepTraits& traits) {
   if (stage == Stage::Emitters) {
@@ -132,6 +140,9 @@ std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation,
     case Stage::SurfaceTension:
       if (!simulation.has_surface_tension()) return "not asked for";
       if (simulation.surface_tension().tension() == 0) return "the tension is 0";
+      break;
+    case Stage::Adhesion:
+      if (const std::string_view reason = reasonWithoutAdhesion(simulation, traits); !reason.empty()) return reason;
       break;
     case Stage::Micropolar:
       if (!simulation.has_micropolar()) return "not asked for";

@@ -31,10 +31,13 @@ TimeStepChoice chooseTimeStep(const v1::TimeStep& settings, const TimeStepInputs
   // Monaghan 1992.
   if (inputs.acceleration > 0) bound(0.25 * std::sqrt(smoothingLength / inputs.acceleration), "force");
   // Capillary waves of the shortest length must not cross a smoothing length in one step, Brackbill et al. 1992.
-  if (inputs.kinematicTension > 0) {
-    const double cube = smoothingLength * smoothingLength * smoothingLength;
-    bound(0.25 * std::sqrt(cube / (2 * std::numbers::pi * inputs.kinematicTension)), "surface tension");
-  }
+  // Adhesion, which is on the scale of tension, as stiff as that.
+  const double cube = smoothingLength * smoothingLength * smoothingLength;
+  const auto boundCapillary = [&](double kinematicTension, std::string_view limit) {
+    if (kinematicTension > 0) bound(0.25 * std::sqrt(cube / (2 * std::numbers::pi * kinematicTension)), limit);
+  };
+  boundCapillary(inputs.kinematicTension, "surface tension");
+  boundCapillary(inputs.kinematicAdhesion, "adhesion");
   if (inputs.speedOfSound > 0) {
     bound(inputs.courant * smoothingLength / (inputs.speedOfSound + inputs.maxSpeed), "sound");
   }

@@ -22,6 +22,7 @@ TEST(StepPlan, RunsEveryStageOfAFullScene) {
                                        Stage::DensitySolve, Stage::Move, Stage::Sort, Stage::Neighbours,
                                        Stage::Boundary, Stage::Factors, Stage::DensityError));
   EXPECT_THAT(plan.leftOut, ElementsAre(core::LeftOut{"surface tension", "not asked for"},
+                                        core::LeftOut{"adhesion", "no wall or body has any"},
                                         core::LeftOut{"micropolar", "not asked for"},
                                         core::LeftOut{"body friction", "no body has friction"},
                                         core::LeftOut{"rigid bodies", "none floats or is driven"},
@@ -38,7 +39,8 @@ TEST(StepPlan, LeavesOutWhatASceneDoesNotNeed) {
   EXPECT_THAT(
       plan.leftOut,
       ElementsAre(core::LeftOut{"divergence solve", "switched off"}, core::LeftOut{"surface tension", "not asked for"},
-                  core::LeftOut{"micropolar", "not asked for"}, core::LeftOut{"viscosity", "the viscosity is 0"},
+                  core::LeftOut{"adhesion", "no wall or body has any"}, core::LeftOut{"micropolar", "not asked for"},
+                  core::LeftOut{"viscosity", "the viscosity is 0"},
                   core::LeftOut{"body friction", "no body has friction"}, core::LeftOut{"gravity", "gravity is 0"},
                   core::LeftOut{"rigid bodies", "none floats or is driven"}, core::LeftOut{"drains", "none"},
                   core::LeftOut{"emitters", "none"}, core::LeftOut{"boundary", "no particle is near a wall"},

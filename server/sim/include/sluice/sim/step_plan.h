@@ -15,6 +15,7 @@ enum class Stage {
   TimeStep,         ///< Choose the length of the step.
   DivergenceSolve,  ///< DFSPH: pressure impulses that stop compression.
   SurfaceTension,
+  Adhesion,           ///< Attraction by walls and bodies.
   Micropolar,         ///< Exchange of velocity and spin.
   Viscosity,          ///< Explicit viscosity.
   ImplicitViscosity,  ///< Viscosity by a linear system.
@@ -42,9 +43,11 @@ struct StepTraits {
   bool boundaryInReach = true;
   /// No particle has another within the support radius, or can get one in this step.
   bool freeFlight = false;
-  bool bodiesMove = false;     ///< A body floats or is driven.
-  bool bodiesRub = false;      ///< A body has friction.
-  bool bodiesInReach = false;  ///< A particle may come within the support radius of one of these.
+  bool bodiesMove = false;      ///< A body floats or is driven.
+  bool bodiesRub = false;       ///< A body has friction.
+  bool bodiesInReach = false;   ///< A particle may come within the support radius of one of these.
+  bool standingAdhere = false;  ///< Fluid adheres to a body that stands.
+  bool movingAdhere = false;    ///< Fluid adheres to a body that moves or has friction.
   /// A field of force acts besides gravity.
   bool forceField = false;
   /// The step is longer than explicit viscosity is stable in.
