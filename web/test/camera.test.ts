@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 
-import { type Camera, distanceOf, framed, kMaxDistance, kMinDistance, orbit, pan, viewAxes, zoom } from "../src/view/camera";
+import { type Camera, distanceOf, framed, kMaxDistance, kMinDistance, orbit, pan, rayThrough, viewAxes, zoom } from "../src/view/camera";
 import { keyMove } from "../src/view/controls";
 
 const camera: Camera = {
@@ -116,5 +116,22 @@ describe("keyMove", () => {
     expect(keyMove(camera, "ArrowLeft", true)?.target).not.toEqual(camera.target);
     expect(distanceOf(keyMove(camera, "+", false)!)).toBeLessThan(distanceOf(camera));
     expect(keyMove(camera, "x", false)).toBeUndefined();
+  });
+});
+
+describe("a ray through the picture", () => {
+  test("is the line of sight in its middle", () => {
+    const { origin, direction } = rayThrough(camera, 16 / 9, 0.5, 0.5);
+    expect(origin).toEqual(camera.eye);
+    expect(dot(direction, viewAxes(camera).forward)).toBeCloseTo(1, 12);
+  });
+
+  test("leans by half of the field of view at the upper edge, and by the aspect more at the side", () => {
+    const { forward, up, right } = viewAxes(camera);
+    const top = rayThrough(camera, 2, 0.5, 0).direction;
+    expect((Math.acos(dot(top, forward)) * 180) / Math.PI).toBeCloseTo(22.5, 9);
+    expect(dot(top, up)).toBeGreaterThan(0);
+    const side = rayThrough(camera, 2, 1, 0.5).direction;
+    expect(dot(side, right) / dot(side, forward)).toBeCloseTo(2 * Math.tan(Math.PI / 8), 9);
   });
 });

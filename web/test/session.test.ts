@@ -112,3 +112,49 @@ test("no ping is left running after a stop", () => {
   expect(server.newest.sent.length).toBe(1);
   expect(vi.getTimerCount()).toBe(0);
 });
+
+test("shows the token in its hello", () => {
+  const { server } = join();
+  server.newest.accept();
+  const hello = server.newest.sent[0]!.message;
+  expect(hello.case === "hello" && hello.value.token).toBe("secret");
+});
+
+test("a server that does not let this page in is not tried again until it is started", () => {
+  const { server, handlers, session } = join();
+  server.newest.accept();
+  server.newest.lose(1008);
+  expect(handlers.onRefused).toHaveBeenCalledOnce();
+  vi.advanceTimersByTime(60_000);
+  expect(server.sockets.length).toBe(1);
+  session.start();
+  expect(server.sockets.length).toBe(2);
+
+  server.newest.accept();
+  server.newest.say({ case: "error", value: { message: "no such token" } }, 1n);
+  expect(handlers.onRefused).toHaveBeenLastCalledWith("no such token");
+  expect(handlers.onError).not.toHaveBeenCalled();
+});
+
+test("a viewer that was let in and is closed with 1008 comes back", () => {
+  const { server, handlers } = join();
+  server.newest.accept();
+  server.newest.say({ case: "welcome", value: { protocolVersion: 1 } }, 1n);
+  server.newest.lose(1008);
+  vi.advanceTimersByTime(1000);
+  expect(server.sockets.length).toBe(2);
+  expect(handlers.onRefused).not.toHaveBeenCalled();
+});
+
+test("silence is told while an answer is due, and its end too; traffic of any kind is no silence", () => {
+  const { server, handlers } = join();
+  server.newest.accept();
+  vi.advanceTimersByTime(3000);
+  server.newest.say({ case: "stats", value: {} });
+  vi.advanceTimersByTime(3000);
+  expect(handlers.onSilence).not.toHaveBeenCalled();
+  vi.advanceTimersByTime(2000);
+  expect(handlers.onSilence.mock.calls).toEqual([[true]]);
+  server.newest.say({ case: "stats", value: {} });
+  expect(handlers.onSilence.mock.calls).toEqual([[true], [false]]);
+});
