@@ -13,11 +13,11 @@ export class Server {
     readonly address: string,
   ) {}
 
-  /** Starts the program that SLUICE_SERVER names, on any free port unless one is given. */
-  static async start(port = 0): Promise<Server> {
+  /** Starts the program that SLUICE_SERVER names, on any free port unless one is given, with further options. */
+  static async start(port = 0, ...options: string[]): Promise<Server> {
     const program = process.env["SLUICE_SERVER"];
     if (!program) throw new Error("SLUICE_SERVER must name the sluice-server to test");
-    const args = ["serve", "dam_break", "--listen", `127.0.0.1:${port}`, "--web", dist];
+    const args = ["serve", "dam_break", "--listen", `127.0.0.1:${port}`, "--web", dist, ...options];
     const child = spawn(program, args, { stdio: ["ignore", "pipe", "pipe"] });
     let output = "";
     child.stderr.on("data", (text: Buffer) => {

@@ -1,5 +1,9 @@
 // The whole way: the real server, the built page, Debian's Chromium.
 
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
 import { create } from "@bufbuild/protobuf";
 import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
 
@@ -79,6 +83,24 @@ describe("the picture", () => {
     await viewer.page.keyboard.press("Home");
     await viewer.rest();
     expect((await facts()).camera).toEqual(start);
+  });
+
+  test("is exact when all is at rest, and says what stands under the cursor", async () => {
+    await viewer.page.waitForFunction(() => window.sluice.facts().frame!.still);
+    await viewer.page.keyboard.press("5");
+    // Somewhere on a line across the picture there is fluid.
+    let across = 0;
+    await expect
+      .poll(async () => {
+        const box = (await viewer.page.locator("#picture").boundingBox())!;
+        across = (across + 0.13) % 1;
+        await viewer.page.mouse.move(box.x + across * box.width, box.y + 0.55 * box.height);
+        await viewer.page.waitForTimeout(150);
+        return viewer.page.locator("#pick").textContent();
+      }, { timeout: 20_000 })
+      .toMatch(/Position[\d−., ]+ m/);
+    await viewer.page.keyboard.press("1");
+    expect(await viewer.page.locator("#pick").isVisible()).toBe(false);
   });
 
   test("takes another size when its window does", async () => {
@@ -226,6 +248,55 @@ describe("the simulation", () => {
     const download = viewer.page.waitForEvent("download");
     await viewer.page.getByRole("button", { name: "Save a lossless picture" }).click();
     expect((await download).suggestedFilename()).toMatch(/^dam_break_[\d.]+s\.png$/);
+  });
+});
+
+describe("viewers together", () => {
+  test("one follows another's pictures, and goes back to its own", async () => {
+    const other = await Viewer.open(server.address, { viewport: { width: 1000, height: 500 } });
+    try {
+      const { viewerId, frame: ownFrame } = await facts();
+      await other.openGroups();
+      await other.page.locator(".viewers li", { hasText: `Viewer ${viewerId}` }).getByRole("button").click();
+      const { width, height } = ownFrame!;
+      await other.page.waitForFunction(
+        ([wide, high]) => window.sluice.facts().frame!.width === wide && window.sluice.facts().frame!.height === high,
+        [width, height] as const,
+      );
+      const before = await other.pixels();
+      await drag([250, 300], [420, 260]);
+      await viewer.rest();
+      await other.rest();
+      expect(difference(before, await other.pixels())).toBeGreaterThan(kSeen);
+      await other.page.getByRole("button", { name: "Back to my camera" }).click();
+      await other.page.waitForFunction(() => window.sluice.facts().frame!.height === 500);
+      expect(other.complaints).toEqual([]);
+    } finally {
+      await other.close();
+      await viewer.page.keyboard.press("Home");
+      await viewer.rest();
+    }
+  });
+
+  test("a token is asked for and let in with", async () => {
+    const folder = await mkdtemp(join(tmpdir(), "sluice-token-"));
+    const secret = "open sesame, open sesame";
+    await writeFile(join(folder, "token"), `${secret}\n`);
+    const closed = await Server.start(0, "--token-file", join(folder, "token"));
+    const other = await Viewer.launch();
+    try {
+      await other.page.goto(closed.address);
+      await other.page.getByLabel("Token", { exact: true }).last().fill(secret);
+      await other.page.keyboard.press("Enter");
+      await other.page.waitForFunction(() => window.sluice.facts().framesDrawn > 0);
+      await other.page.goto(`${closed.address}/#token=${encodeURIComponent("not this one, not this one")}`);
+      await other.page.reload();
+      await other.page.locator("#token .complaint", { hasText: "token" }).waitFor();
+    } finally {
+      await other.close();
+      await closed.end();
+      await rm(folder, { recursive: true });
+    }
   });
 });
 

@@ -26,6 +26,8 @@ import { type FluidHost, Touch } from "./touch/touch";
 import { token, TokenPrompt } from "./ui/access";
 import { byId } from "./ui/dom";
 import { Notices } from "./ui/notices";
+import { Permissions } from "./ui/permissions";
+import { SceneChoice } from "./ui/scene_choice";
 import { SceneMenu } from "./ui/scene_menu";
 import { Status } from "./ui/status";
 import { Transport, type TransportHost } from "./ui/transport";
@@ -46,7 +48,7 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
   private readonly readout = new Readout(byId("readout", HTMLElement), byId("brief", HTMLElement));
   private readonly status = new Status(byId("stage", HTMLElement), byId("status", HTMLElement));
   private readonly notices = new Notices(byId("notices", HTMLElement));
-  private readonly menu = new SceneMenu(byId("scene", HTMLSelectElement), (name) => this.loadScene(name));
+  private readonly menu = new SceneMenu(byId("scene", HTMLSelectElement), (name) => this.sceneChoice.load(name));
   private readonly tokenPrompt = new TokenPrompt(byId("token", HTMLFormElement), () => this.session.start());
   private readonly ownCamera = new OwnCamera(
     () => this.canvasSize.aspect,
@@ -58,6 +60,8 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
   private readonly updater: Updater;
   private readonly panel: ParameterPanel;
   private readonly touch: Touch;
+  private readonly sceneChoice: SceneChoice;
+  private readonly permissions: Permissions;
 
   private connection: ConnectionState = "stopped";
   private welcome: Welcome | undefined;
@@ -65,8 +69,6 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
   private sceneName = "";
   private stats: Stats | undefined;
   private halt: { readonly reason: string; remove(): void } | undefined;
-  /** Sequence number of the scene choice under way. */
-  private loading = 0;
   private framesDrawn = 0;
   private lastFrame: Frame | undefined;
 
@@ -94,6 +96,9 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
     });
     new CameraControls(this.canvas, this);
     this.touch = new Touch(this.canvas, this);
+    this.sceneChoice = new SceneChoice(this.session, this.menu, (message) => this.notices.show(message));
+    const { transport, menu, touch } = this;
+    this.permissions = new Permissions(this.viewers, { transport, menu, touch });
   }
 
   /** Facts about the page for whoever drives it from outside, such as its tests. */
@@ -131,8 +136,7 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
     this.readout.disconnected();
     this.ownCamera.forget();
     this.touch.forget();
-    if (this.loading !== 0) this.menu.revert();
-    this.loading = 0;
+    this.sceneChoice.forget();
   }
 
   onRefused(reason: string): void {
@@ -157,7 +161,7 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
     this.menu.setEntries(welcome.scenes);
     if (welcome.scene) this.sceneArrived(welcome.scene, welcome.sceneName);
     this.transport.show(welcome.paused, undefined);
-    this.permit();
+    this.permissions.show();
     this.stream.welcomed(welcome);
     this.ownCamera.sendNow();
   }
@@ -191,7 +195,7 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
       this.notices.show("The viewer you followed has left: this is your own camera again.");
       this.stream.ask(0n);
     }
-    this.permit();
+    this.permissions.show();
   }
 
   onPicked(picked: Picked, sequence: number): void {
@@ -202,16 +206,13 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
     this.readout.delay.refused(sequence);
     if (this.updater.answered(sequence, error.message)) return;
     this.touch.answered(sequence, true);
-    if (sequence !== 0 && sequence === this.loading) {
-      this.loading = 0;
-      this.menu.revert();
-    }
+    this.sceneChoice.answered(sequence, true);
     if (error.fieldPath && this.panel.complain(error.fieldPath, error.message)) return;
     this.notices.show(error.fieldPath ? `${error.fieldPath}: ${error.message}` : error.message);
   }
 
   onDone(sequence: number): void {
-    if (sequence === this.loading) this.loading = 0;
+    this.sceneChoice.answered(sequence, false);
     this.touch.answered(sequence, false);
     this.updater.answered(sequence);
   }
@@ -251,7 +252,7 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
 
   private follow(viewerId: bigint): void {
     this.viewers.follow(viewerId);
-    this.permit();
+    this.permissions.show();
     this.stream.ask(viewerId);
     if (viewerId === 0n) this.ownCamera.sendNow();
   }
@@ -261,23 +262,6 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
   }
 
   // ---------------------------------------------------------------------------------------------- what people do
-
-  /** Shows what this viewer may do now, and why not where it may not. */
-  private permit(): void {
-    const spectating = this.viewers.isSpectator ? kSpectatorReason : undefined;
-    const following = this.viewers.following !== 0n ? "Go back to your own camera first." : undefined;
-    this.transport.forbid(spectating);
-    this.menu.forbid(spectating);
-    byId("parameters", HTMLFieldSetElement).disabled = spectating !== undefined;
-    const note = byId("parameters-note", HTMLElement);
-    note.hidden = spectating === undefined;
-    note.textContent = spectating ?? "";
-    const touching = spectating ?? following;
-    this.touch.forbid({
-      ...(touching && { push: touching, pull: touching, add: touching }),
-      ...(following && { pick: following }),
-    });
-  }
 
   camera(): Camera | undefined {
     return this.viewers.following === 0n ? this.ownCamera.current : undefined;
@@ -318,24 +302,10 @@ export class App implements SessionHandlers, CameraHost, TransportHost, FluidHos
     else this.session.control(action);
   }
 
-  private loadScene(name: string): void {
-    this.loading = this.session.loadScene(name);
-    if (this.loading === 0) this.menu.revert();
-  }
-
   /** A scene file that was dropped on the page. */
   loadSceneText(text: string): void {
-    if (this.viewers.isSpectator) {
-      this.notices.show(kSpectatorReason);
-      return;
-    }
-    const most = this.welcome?.limits?.maxMessageBytes ?? 0;
-    // A server closes the connection over a message that is too large. A character takes three bytes at most.
-    if (most > 0 && 3 * text.length + 64 > most) {
-      this.notices.show("This file is too large for a scene.");
-      return;
-    }
-    this.loading = this.session.loadSceneText(text);
+    if (this.viewers.isSpectator) this.notices.show(kSpectatorReason);
+    else this.sceneChoice.loadText(text, this.welcome?.limits?.maxMessageBytes ?? 0);
   }
 
   private sentNow(sequence: number): number {

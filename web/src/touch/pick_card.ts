@@ -6,6 +6,8 @@ import { h, setText } from "../ui/dom";
 import type { Point } from "../view/picture_area";
 
 const kGap = 16;
+/** To the picture's edge. */
+const kMargin = 8;
 const kRows = ["Position", "Depth", "Thickness", "Velocity", "Density"] as const;
 
 export class PickCard {
@@ -41,9 +43,15 @@ export class PickCard {
     const { offsetWidth: width, offsetHeight: height } = this.card;
     const x = at.x - room.left;
     const y = at.y - room.top;
-    const left = x + kGap + width + 8 <= room.width ? x + kGap : x - kGap - width;
-    const top = y + kGap + height + 8 <= room.height ? y + kGap : y - kGap - height;
-    this.card.style.transform = `translate(${Math.round(Math.max(8, left))}px, ${Math.round(Math.max(8, top))}px)`;
+    const fitsRight = x + kGap + width + kMargin <= room.width;
+    const fitsLeft = x - kGap - width >= kMargin;
+    const fitsBelow = y + kGap + height + kMargin <= room.height;
+    // On a phone there is room neither right nor left; above it no finger hides it.
+    const beside = fitsRight ? x + kGap : fitsLeft ? x - kGap - width : x - width / 2;
+    const down = (fitsRight || fitsLeft) && fitsBelow ? y + kGap : y - kGap - height;
+    const left = Math.max(kMargin, Math.min(beside, room.width - width - kMargin));
+    const top = down >= kMargin ? down : y + kGap;
+    this.card.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
   }
 }
 
