@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace sluice::app {
 
@@ -22,8 +23,9 @@ constexpr double kRateSeconds = 1;
 constexpr double kLongestRoundTrip = 0.25;
 
 /// Time in the queue that tells a full link, and one that has room.
-constexpr double kFull = 0.06;
-constexpr double kRoom = 0.03;
+constexpr double kFull = 0.03;
+constexpr double kRoom = 0.015;
+constexpr double kUnsteady = 0.3;
 
 /// Frames so much smaller than the largest tell what a frame takes however small it is.
 constexpr double kSmall = 0.3;
@@ -52,6 +54,13 @@ constexpr double kLowestRate = 1;
 
 /// Changes smaller than this are not worth a new encoder.
 constexpr int kQualityStep = 4;
+
+/// What a fifth of the delays stay below: the quickest, but for chance.
+double lowest(std::vector<double>& delays) {
+  const auto fifth = delays.begin() + static_cast<std::ptrdiff_t>(delays.size() / 5);
+  std::nth_element(delays.begin(), fifth, delays.end());
+  return *fifth;
+}
 
 }  // namespace
 
@@ -93,18 +102,16 @@ void RateController::acknowledged(std::uint64_t frameId, Clock::time_point now) 
 double RateController::quickest() {
   std::size_t largest = 0;
   for (const Arrival& arrival : arrivals_) largest = std::max(largest, arrival.bytes);
-  double least = std::numeric_limits<double>::infinity();
-  double leastOfSmall = least;
+  std::vector<double> all;
+  std::vector<double> small;
   for (const Arrival& arrival : arrivals_) {
-    least = std::min(least, arrival.delay);
-    if (static_cast<double>(arrival.bytes) < kSmall * static_cast<double>(largest)) {
-      leastOfSmall = std::min(leastOfSmall, arrival.delay);
-    }
+    all.push_back(arrival.delay);
+    if (static_cast<double>(arrival.bytes) < kSmall * static_cast<double>(largest)) small.push_back(arrival.delay);
   }
-  // A viewer that is far or busy takes its time with small frames too. As long as there were none, a slow frame tells of
-  // the link.
-  if (std::isfinite(leastOfSmall)) ofSmallFrames_ = leastOfSmall;
-  return std::min(least, std::max(ofSmallFrames_, kLongestRoundTrip));
+  // A viewer that is far or busy takes its time with small frames too. As long as there were none, a slow frame tells
+  // of the link.
+  if (!small.empty()) ofSmallFrames_ = lowest(small);
+  return std::min(lowest(all), std::max(ofSmallFrames_, kLongestRoundTrip));
 }
 
 double RateController::recentDelay() const {
@@ -135,8 +142,11 @@ double RateController::deliveredRate() const {
 
 void RateController::judge(Clock::time_point now) {
   const double delay = recentDelay();
-  const double queued = delay - quickest();
-  if (queued > kFull && secondsBetween(lastChange_, now) > std::max(delay, 0.2)) {
+  const double base = quickest();
+  const double queued = delay - base;
+  // Whoever is slow by itself is unsteady as well.
+  const bool full = queued > kFull + kUnsteady * base;
+  if (full && secondsBetween(lastChange_, now) > std::max(delay, 0.2)) {
     limit_ = std::min(budget_, deliveredRate());
     budget_ = kBackOff * limit_;
     lastChange_ = now;
@@ -149,8 +159,7 @@ void RateController::judge(Clock::time_point now) {
     }
   }
   // Frames enough under way to fill the time that one takes there and back, but not a queue.
-  const double pipe = quickest() * frameRate();
-  const bool full = queued > kFull;
+  const double pipe = base * frameRate();
   target_.window =
       full ? std::min<std::uint32_t>(2, maxWindow_)
            : std::clamp(static_cast<std::uint32_t>(std::ceil(pipe)) + 1, std::min(2U, maxWindow_), maxWindow_);
