@@ -7,13 +7,16 @@
 
 namespace sluice::encode {
 
-/// JPEG by libjpeg-turbo, straight from RGBA (alpha is left out), chroma at half resolution (4:2:0).
+/// JPEG by libjpeg-turbo, straight from RGBA (alpha is left out), chroma at half (4:2:0) or full
+/// resolution (4:4:4).
 class JpegEncoder final : public FrameEncoder {
  public:
   /// `quality` is 1..100.
-  explicit JpegEncoder(int quality);
+  JpegEncoder(int quality, bool fullChroma);
 
   core::EncodedFrame encode(const core::Frame& frame) override;
+  /// A JPEG stands alone, so that every setting of one can change.
+  bool retune(const EncoderSettings& settings) override;
 
  private:
   struct Destroy {
@@ -21,6 +24,7 @@ class JpegEncoder final : public FrameEncoder {
   };
 
   int quality_;
+  bool fullChroma_;
   std::unique_ptr<void, Destroy> compressor_;
   std::vector<unsigned char> scratch_;  // As large as the worst case of the largest frame so far.
 };

@@ -43,7 +43,7 @@ Decoded decodePng(std::span<const std::uint8_t> bytes) {
   return decoded;
 }
 
-Decoded decodeJpeg(std::span<const std::uint8_t> bytes) {
+Decoded decodeJpeg(std::span<const std::uint8_t> bytes, int expectedSubsampling) {
   Decoded decoded;
   const tjhandle handle = tjInitDecompress();
   int subsampling = 0;
@@ -51,7 +51,7 @@ Decoded decodeJpeg(std::span<const std::uint8_t> bytes) {
   EXPECT_EQ(tjDecompressHeader3(handle, bytes.data(), bytes.size(), &decoded.size.width, &decoded.size.height,
                                 &subsampling, &colourSpace),
             0);
-  EXPECT_EQ(subsampling, TJSAMP_420);
+  EXPECT_EQ(subsampling, expectedSubsampling);
   decoded.rgb.resize(3U * decoded.size.width * decoded.size.height);
   EXPECT_EQ(tjDecompress2(handle, bytes.data(), bytes.size(), decoded.rgb.data(), decoded.size.width, 0,
                           decoded.size.height, TJPF_RGB, 0),

@@ -18,7 +18,8 @@ struct Decoded {
 };
 
 Decoded decodePng(std::span<const std::uint8_t> bytes);
-Decoded decodeJpeg(std::span<const std::uint8_t> bytes);
+/// `subsampling`, TJSAMP_…, is what the file is expected to have; 4:2:0 unless said.
+Decoded decodeJpeg(std::span<const std::uint8_t> bytes, int subsampling = 2);
 
 /// The colours of a frame without its alpha.
 std::vector<std::uint8_t> rgbOf(const core::Frame& frame);

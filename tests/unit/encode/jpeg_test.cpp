@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <turbojpeg.h>
 
 #include "decode.h"
 #include "sluice/encode/frame_encoder.h"
@@ -27,6 +28,25 @@ TEST(Jpeg, QualityBuysFidelityWithBytes) {
   EXPECT_LT(low.bytes.size(), high.bytes.size());
   const std::vector<std::uint8_t> exact = rgbOf(frame);
   EXPECT_LT(psnr(decodeJpeg(low.bytes).rgb, exact), psnr(decodeJpeg(high.bytes).rgb, exact));
+}
+
+TEST(Jpeg, FullChromaKeepsColoursThatChangeFromPixelToPixel) {
+  core::Frame frame;
+  frame.size = {64, 64};
+  for (int i = 0; i < 64 * 64; ++i) {
+    const bool red = i % 2 == 0;
+    for (const int value : {red ? 220 : 20, 20, red ? 20 : 220, 255}) {
+      frame.pixels.push_back(static_cast<std::uint8_t>(value));
+    }
+  }
+  const EncoderSettings half{.codec = core::Codec::Jpeg, .quality = 90};
+  EncoderSettings full = half;
+  full.fullChroma = true;
+  const auto encoder = makeEncoder(half);
+  const double before = psnr(decodeJpeg(encoder->encode(frame).bytes).rgb, rgbOf(frame));
+  EXPECT_TRUE(encoder->retune(full));
+  const double after = psnr(decodeJpeg(encoder->encode(frame).bytes, TJSAMP_444).rgb, rgbOf(frame));
+  EXPECT_GT(after, before + 6);
 }
 
 TEST(Jpeg, TakesAnySizeAndChangesOfSize) {
