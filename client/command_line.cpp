@@ -60,7 +60,7 @@ void execute(const std::vector<std::string>& arguments, const Output& output) {
       ->check(CLI::Range(0.001, 86400.0));
   app.add_flag("--json", json, "Make the last line on stdout one JSON object");
   for (const auto add :
-       {addInfo, addSet, addCamera, addControls, addLoad, addSnapshot, addWatch, addBench, addScript}) {
+       {addInfo, addSet, addCamera, addControls, addLoad, addSnapshot, addRecord, addWatch, addBench, addScript}) {
     add(app, chosen);
   }
 

@@ -1,11 +1,14 @@
 #include "sluice/client/frame_decoder.h"
 
+#include <cstring>
+#include <exception>
 #include <string>
 
 #include <png.h>
 #include <turbojpeg.h>
 
 #include "sluice/client/failure.h"
+#include "sluice/media/video_decoder.h"
 
 namespace sluice::client {
 
@@ -43,7 +46,21 @@ struct JpegHandle {
   JpegHandle& operator=(const JpegHandle&) = delete;
 };
 
+media::VideoCodec mediaCodec(v1::Codec codec) {
+  switch (codec) {
+    case v1::H264:
+      return media::VideoCodec::H264;
+    case v1::VP9:
+      return media::VideoCodec::Vp9;
+    default:
+      return media::VideoCodec::Av1;
+  }
+}
+
 }  // namespace
+
+FrameDecoder::FrameDecoder() = default;
+FrameDecoder::~FrameDecoder() = default;
 
 const Picture& FrameDecoder::decode(const v1::Frame& frame) {
   switch (frame.codec()) {
@@ -52,6 +69,11 @@ const Picture& FrameDecoder::decode(const v1::Frame& frame) {
       break;
     case v1::PNG:
       decodePng(frame);
+      break;
+    case v1::H264:
+    case v1::VP9:
+    case v1::AV1:
+      decodeVideo(frame);
       break;
     default:
       fail(frame, "codec " + v1::Codec_Name(frame.codec()) + " is not known");
@@ -75,6 +97,27 @@ void FrameDecoder::decodeJpeg(const v1::Frame& frame) {
   auto* pixels = reinterpret_cast<unsigned char*>(picture_.rgba.data());
   if (tjDecompress2(jpeg.handle, bytes, size, pixels, width, /*pitch=*/0, height, TJPF_RGBA, 0) != 0) {
     fail(frame, tjGetErrorStr2(jpeg.handle));
+  }
+}
+
+void FrameDecoder::decodeVideo(const v1::Frame& frame) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(frame.payload().data());
+  try {
+    // A keyframe may be of another stream than what came before: another size, other settings.
+    if (frame.keyframe() || !video_ || videoCodec_ != frame.codec()) {
+      video_ = std::make_unique<media::VideoDecoder>(mediaCodec(frame.codec()));
+      videoCodec_ = frame.codec();
+    }
+    const media::RgbaPicture& shown = video_->decode({bytes, frame.payload().size()}, static_cast<int>(frame.width()),
+                                                     static_cast<int>(frame.height()));
+    resize(picture_, frame.width(), frame.height());
+    std::memcpy(picture_.rgba.data(), shown.pixels.data(), shown.pixels.size());
+  } catch (const Failure&) {
+    throw;
+  } catch (const std::exception& error) {
+    // What follows builds on this frame.
+    video_.reset();
+    fail(frame, error.what());
   }
 }
 

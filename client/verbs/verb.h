@@ -36,6 +36,7 @@ void addCamera(CLI::App& app, Action& chosen);
 void addControls(CLI::App& app, Action& chosen);  ///< play, pause, step, reset
 void addLoad(CLI::App& app, Action& chosen);
 void addSnapshot(CLI::App& app, Action& chosen);
+void addRecord(CLI::App& app, Action& chosen);
 void addWatch(CLI::App& app, Action& chosen);
 void addBench(CLI::App& app, Action& chosen);
 void addScript(CLI::App& app, Action& chosen);

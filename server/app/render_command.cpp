@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "command_options.h"
 #include "commands.h"
 #include "json.h"
+#include "movie.h"
 #include "sluice/core/input_error.h"
 #include "sluice/encode/frame_encoder.h"
 #include "sluice/gl/context.h"
@@ -34,6 +34,7 @@ struct RenderOptions {
   std::string frames;
   double framesPerSecond = 25;
   double time = 0;
+  int quality = 92;
   int repeat = 0;
 };
 
@@ -47,19 +48,15 @@ core::Frame draw(render::FluidRenderer& renderer, const Shot& shot, const core::
   return renderer.render(particles, *shot.scene, shot.camera, shot.size);
 }
 
-/// Draws frames FIRST to LAST of an animation into a folder.
+/// Draws frames FIRST to LAST of an animation, each at its exact time.
 void drawSequence(render::FluidRenderer& renderer, const Shot& shot, core::ParticleSource& source, FrameRange range,
-                  double framesPerSecond, const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw core::InputError(folder.string(), "--out", "cannot be made: " + error.message());
+                  double framesPerSecond, Movie& movie) {
   for (int k = range.first; k <= range.last; ++k) {
     advanceOnto(source, k / framesPerSecond);
-    char name[32];
-    std::snprintf(name, sizeof name, "frame_%04d.png", k);
     const auto particles = takeSnapshot(source, static_cast<std::uint64_t>(k - range.first) + 1);
-    encode::writePng(draw(renderer, shot, *particles), (folder / name).string());
+    movie.write(k, draw(renderer, shot, *particles));
   }
+  movie.finish();
 }
 
 struct Timing {
@@ -100,13 +97,17 @@ int renderScene(const RenderOptions& options) {
   if (!options.camera.empty()) shot.camera = parseCamera(options.camera, shot.camera);
   const std::optional<FrameRange> range =
       options.frames.empty() ? std::nullopt : std::optional(parseFrameRange(options.frames));
-  if (range && options.out.empty()) throw core::InputError("", "--frames", "needs --out, the folder to write to");
+  if (range && options.out.empty())
+    throw core::InputError("", "--frames", "needs --out, the folder or the .mp4 file to write");
+  // Where it cannot be written, nothing need be drawn.
+  const std::unique_ptr<Movie> movie =
+      range ? openMovie(options.out, shot.size, options.framesPerSecond, options.quality) : nullptr;
 
   const std::unique_ptr<gl::Context> context = gl::Context::create();
   render::FluidRenderer renderer(*context);
 
   if (range) {
-    drawSequence(renderer, shot, *source, *range, options.framesPerSecond, options.out);
+    drawSequence(renderer, shot, *source, *range, options.framesPerSecond, *movie);
   } else {
     advanceTo(*source, options.time, live.scene, renderer);
   }
@@ -133,9 +134,9 @@ int renderScene(const RenderOptions& options) {
 
 void addRenderCommand(CLI::App& program, Command& chosen) {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App& verb = *program.add_subcommand("render", "Draw a scene to PNG files, without any network");
+  CLI::App& verb = *program.add_subcommand("render", "Draw a scene to PNG or MP4 files, without any network");
   addSceneOptions(verb, options->scene, "", true);
-  verb.add_option("--out", options->out, "The picture, or with --frames the folder, to write");
+  verb.add_option("--out", options->out, "The picture, or with --frames the folder or .mp4 file, to write");
   verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   verb.add_option("--camera", options->camera, "x,y,z:x,y,z[:fovDegrees]: eye, target, vertical field of view");
   verb.add_option("--time", options->time, "Simulated time to draw, s")
@@ -144,6 +145,9 @@ void addRenderCommand(CLI::App& program, Command& chosen) {
   verb.add_option("--frames", options->frames, "FIRST:LAST: draw these frames of an animation");
   verb.add_option("--fps", options->framesPerSecond, "Frames per simulated second, with --frames")
       ->check(CLI::Range(0.01, 10000.0))
+      ->capture_default_str();
+  verb.add_option("--quality", options->quality, "Of an .mp4 file; from 90 on hard to tell from the pictures")
+      ->check(CLI::Range(1, 100))
       ->capture_default_str();
   verb.add_option("--repeat", options->repeat, "Draw this many times with a slightly moved camera and time it")
       ->check(CLI::Range(0, 100000));

@@ -23,7 +23,8 @@ TEST(ServiceViewers, OneThatNeverAcknowledgesGetsTheWindowAlone) {
   RunningService service;
   TestViewer viewer = service.viewer();
   viewer.setView(64, 64);
-  int frames = 0;
+  viewer.nextFrame(/*acknowledged=*/false);
+  int frames = 1;
   for (int k = 1; k <= 20; ++k) {
     const std::uint64_t sequence = viewer.setCamera(cameraAt(1.5, 0.9, 1.6 + 0.01 * k));
     v1::ClientMessage ping;
