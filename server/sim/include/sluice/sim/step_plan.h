@@ -20,6 +20,7 @@ enum class Stage {
   ImplicitViscosity,  ///< Viscosity by a linear system.
   BodyFriction,       ///< Friction between the fluid and bodies.
   Gravity,
+  Touch,            ///< What viewers' hands push and pull.
   DensitySolve,     ///< DFSPH, IISPH: pressure impulses that keep the density at rest after the move.
   EquationOfState,  ///< WCSPH: pressure from density, and how that changes.
   RigidBodies,      ///< Bodies move, by Bullet and by their drivers.
@@ -47,6 +48,7 @@ struct StepTraits {
   bool bodiesInReach = false;  ///< A particle may come within the support radius of one of these.
   /// A field of force acts besides gravity.
   bool forceField = false;
+  bool touched = false;  ///< A hand pushes or pulls.
   /// The step is longer than explicit viscosity is stable in.
   bool implicitViscosity = false;
   /// An emitter may give particles in this step, or has a layer on its way.
