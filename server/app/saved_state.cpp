@@ -22,7 +22,7 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 
 constexpr std::string_view kMagic = "SLUICEST";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kHeadSize = 8 + sizeof(std::uint32_t) + sizeof(std::uint64_t);
 constexpr std::size_t kChecksumSize = sizeof(std::uint32_t);
 
@@ -51,7 +51,7 @@ Bytes checkedContent(Bytes bytes, const std::string& name) {
   const auto version = numberAt<std::uint32_t>(bytes, kMagic.size());
   if (version > kVersion) {
     throw core::InputError(name, "",
-                           "the state has version " + std::to_string(version) + "; this program reads up to version " +
+                           "the state has version " + std::to_string(version) + "; this program reads version " +
                                std::to_string(kVersion));
   }
   const auto length = numberAt<std::uint64_t>(bytes, kMagic.size() + sizeof version);
@@ -60,6 +60,12 @@ Bytes checkedContent(Bytes bytes, const std::string& name) {
   const std::size_t end = bytes.size() - kChecksumSize;
   if (length < present || version == 0 || checksumOf(bytes.first(end)) != numberAt<std::uint32_t>(bytes, end)) {
     throw core::InputError(name, "", "the state is damaged: its checksum does not match");
+  }
+  if (version < kVersion) {
+    throw core::InputError(name, "",
+                           "the state has version " + std::to_string(version) +
+                               ", of an older program; this one reads " + "version " + std::to_string(kVersion) +
+                               " alone");
   }
   return bytes.subspan(kHeadSize, length);
 }

@@ -120,7 +120,7 @@ SceneRun::Outcome SceneRun::apply(const v1::LoadScene& load) {
 
 SceneRun::Outcome SceneRun::apply(const v1::Interact& interact) {
   source_->interact(fromProto(interact));
-  return {};
+  return {.particlesAdded = interact.action() == v1::Interact::ADD};
 }
 
 void SceneRun::take(LiveScene live, std::unique_ptr<core::ParticleSource> source) {

@@ -144,7 +144,7 @@ void SceneRunner::carryOut(const Request& request, const SceneCommand& command) 
 
   if (outcome.sceneChanged) showScene();
   if (isControl || outcome.restarted) pace_.restart(Clock::now(), run_.source().time());
-  if (outcome.restarted || run_.steps() > before) publishSnapshot();
+  if (outcome.restarted || outcome.particlesAdded || run_.steps() > before) publishSnapshot();
   if (outcome.sceneChanged) events_->sceneChanged(request, outcome.restarted);
   if (isControl || outcome.sceneChanged) publishStats();
   if (!waits) events_->done(request);

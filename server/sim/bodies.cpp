@@ -98,6 +98,14 @@ std::optional<std::size_t> Bodies::bodyAt(const Vector3d& x, double distance) co
   return std::nullopt;
 }
 
+std::vector<const PlacedBody*> Bodies::standing() const {
+  std::vector<const PlacedBody*> standing;
+  for (const Wall& wall : walls_) {
+    if (wall.stands) standing.push_back(&wall.body);
+  }
+  return standing;
+}
+
 std::vector<BodySet> Bodies::nearCells(const CellGeometry& geometry) const {
   if (empty()) return {};
   std::vector<BodySet> near(geometry.count(), 0);

@@ -59,6 +59,9 @@ class Bodies {
   /// The first body that has a point inside, or nearer to its surface than `distance`.
   std::optional<std::size_t> bodyAt(const Eigen::Vector3d& x, double distance) const;
 
+  /// Those that stand. Valid as long as this.
+  std::vector<const solids::PlacedBody*> standing() const;
+
   /// The bodies that stand within reach of each cell: what a particle in it may touch or feel within a step.
   std::vector<BodySet> nearCells(const CellGeometry& geometry) const;
 

@@ -140,6 +140,7 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
       walls_(container_, discretisation_.spacing, bodies_, boundary_.grid().geometry(), movingBodies_),
       affordableParticles_(affordableParticles(options, discretisation_)),
       population_(settings, container_, bodies_, discretisation_),
+      touch_(discretisation_.spacing),
       grid_(boundary_.grid().geometry()),
       lists_(options.loops != nullptr ? *options.loops : bestPairLoops(),
              PairScale(discretisation_, container_.period())),
@@ -166,6 +167,8 @@ InitialState FluidSimulation::startAnew() {
   InitialState initial = beginning();
   state_ = std::move(initial.particles);
   takenOut_ = initial.takenOut;
+  touch_.reset();
+  added_ = 0;
   population_.reset(newParticle(), state_.size());
   if (population_.hasEmitters()) state_.born.assign(state_.size(), 0);
   movingBodies_.reset();
@@ -184,21 +187,25 @@ InitialState FluidSimulation::startAnew() {
   for (const Float4& v : state_.velocity) {
     maxSpeed_ = std::max(maxSpeed_, std::sqrt(static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z)));
   }
+  findPairs();
+  statistics_.maxSpeed = maxSpeed_;
+  statistics_.stages.clear();
+  return initial;
+}
+
+/// Does what every step ends with, for particles that are in no order yet.
+void FluidSimulation::findPairs() {
   StepContext start = beginStep();
   start.boundaryInReach = true;
-  const StepTraits initially{.particles = state_.size(), .emitting = population_.hasEmitters()};
-  for (const Stage stage : planStep(settings_, initially).stages) {
-    // What every step ends with.
+  const StepTraits present{.particles = state_.size(), .emitting = population_.hasEmitters()};
+  for (const Stage stage : planStep(settings_, present).stages) {
     if (stage == Stage::Sort || stage == Stage::Neighbours || stage == Stage::Boundary || stage == Stage::Factors ||
         stage == Stage::DensityError) {
       run(stage, start);
     }
     if (stage == Stage::Boundary) updateMovingBoundary(start);
   }
-  statistics_.maxSpeed = maxSpeed_;
-  statistics_.stages.clear();
   findBoundaryInReach();
-  return initial;
 }
 
 /// One particle with every array that the scene's particles have, as new ones start.
@@ -209,7 +216,7 @@ ParticleState FluidSimulation::newParticle() const {
   particle.densityImpulse.resize(1);
   particle.id.resize(1);
   if (mixture_.several()) particle.fluid.resize(1);
-  if (population_.hasEmitters()) particle.born.resize(1);
+  if (keepsBirths()) particle.born.resize(1);
   makePressureSolver(settings_)->reset(particle, container_);
   if (settings_.has_micropolar()) MicropolarModel::reset(particle);
   return particle;
@@ -276,7 +283,7 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   snapshot->densities.resize(state_.size());
   snapshot->ids = state_.id;
   snapshot->pressures.resize(state_.size());
-  // Without emitters, every particle is there from the start.
+  // Where none has come later, every particle is there from the start.
   snapshot->ages.assign(state_.size(), static_cast<float>(time_));
   snapshot->fluids = state_.fluid;
   snapshot->supportRadius = discretisation_.support;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "adhesion.h"
@@ -29,6 +30,7 @@
 #include "surface_tension.h"
 #include "team.h"
 #include "time_step.h"
+#include "touch.h"
 #include "viscosity_explicit.h"
 #include "viscosity_weiler2018.h"
 #include "walls.h"
@@ -63,6 +65,8 @@ class FluidSimulation : public core::ParticleSource {
   void reset() override;
   std::unique_ptr<core::ParticleSnapshot> snapshot() const override;
   void update(const v1::Scene& scene) override;
+  /// Acts on particles, not on bodies.
+  void interact(const core::Interaction& interaction) override;
   /// The particles with what solvers carry from step to step, the cells that they are sorted by, and the time step's
   /// memory. Pairs, sums and factors follow from these.
   void save(core::StateWriter& out) const override;
@@ -88,8 +92,10 @@ class FluidSimulation : public core::ParticleSource {
   void checkOverlaps(const InitialState& initial) const;
   InitialState beginning() const;
   InitialState startAnew();
+  void findPairs();
   ParticleState newParticle() const;
   std::uint64_t mostParticles() const;
+  bool keepsBirths() const { return population_.hasEmitters() || added_ > 0; }
   bool hasForceField() const { return options_.experiment && options_.experiment->acceleration; }
   Eigen::Vector3d fieldAt(const Float4& position) const;
   double largestAcceleration() const;
@@ -105,8 +111,13 @@ class FluidSimulation : public core::ParticleSource {
   void acceptLength(StepContext& step) const;
   void applyGravity(const StepContext& step);
   void applyField(const StepContext& step);
+  void applyTouch(const StepContext& step);
   void move(StepContext& step);
   void emit(StepContext& step);
+  std::vector<const solids::PlacedBody*> presentBodies() const;
+  Eigen::Vector3d ballCentre(const TouchRay& ray, double radius) const;
+  void addBall(std::uint32_t fluid, const TouchRay& ray, const std::optional<Eigen::Vector3d>& crossing, double radius);
+  void append(const std::vector<Float4>& places, std::uint32_t fluid);
   double endOfStep() const { return reachesStop_ ? stop_ : time_ + stepSeconds_; }
   void sort();
   void findNeighbours();
@@ -134,6 +145,8 @@ class FluidSimulation : public core::ParticleSource {
   Walls walls_;
   std::uint64_t affordableParticles_;  ///< That there is memory for.
   Population population_;
+  Touch touch_;
+  std::uint64_t added_ = 0;  ///< Particles that hands have added since the initial state.
 
   ParticleState state_;
   /// The state before the last sort, whose k-th particle is now grid_.order()'s: what a step is taken back to.

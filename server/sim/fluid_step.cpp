@@ -60,7 +60,7 @@ TimeStepInputs FluidSimulation::timeStepInputs() const {
   return {.spacing = discretisation_.spacing,
           .support = discretisation_.support,
           .maxSpeed = std::max(maxSpeed_, movingBodies_.largestSpeed(time_, settings_.time_step().max_seconds())),
-          .acceleration = std::max(largestAcceleration(), pressureAcceleration_),
+          .acceleration = std::max(largestAcceleration() + touch_.largestAcceleration(time_), pressureAcceleration_),
           .viscosity = discretisation_.viscosityScale * mixture_.largestViscosity(),
           .kinematicTension = tension / mixture_.lightest(),
           .kinematicAdhesion = std::max(settings_.wall_adhesion(), bodies_.largestAdhesion()) / mixture_.lightest(),
@@ -86,13 +86,15 @@ StepTraits FluidSimulation::traits() const {
           .boundaryInReach = boundaryInReach_,
           // Particles that come or go change the pairs.
           .freeFlight = !boundaryInReach_ && !bodiesInReach_ && !population_.changes() && !hasForceField() &&
-                        !container_.periodic && freeFlight_.covers(state_.velocity, length.seconds, team_),
+                        !touch_.isActive(time_) && !container_.periodic &&
+                        freeFlight_.covers(state_.velocity, length.seconds, team_),
           .bodiesMove = movingBodies_.anyMoves(),
           .bodiesRub = movingBodies_.anyRubs(),
           .bodiesInReach = bodiesInReach_,
           .standingAdhere = bodies_.anyStandingAdheres(),
           .movingAdhere = movingBodies_.anyAdheres(),
           .forceField = hasForceField(),
+          .touched = touch_.isActive(time_),
           .implicitViscosity = length.implicitViscosity,
           .emitting = population_.emitting(time_)};
 }
@@ -112,6 +114,7 @@ StepPlan FluidSimulation::currentPlan() const {
                          .bodiesRub = present.bodiesRub,
                          .bodiesInReach = present.bodiesInReach,
                          .forceField = present.forceField,
+                         .touched = true,
                          .implicitViscosity = present.implicitViscosity,
                          .emitting = present.emitting});
 }
@@ -191,6 +194,7 @@ bool FluidSimulation::tryStep() {
 
 void FluidSimulation::finish(const StepContext& step) {
   time_ = endOfStep();
+  touch_.expire(time_);
   lastStepSeconds_ = step.seconds;
   maxSpeed_ = step.maxSpeed;
   pressureAcceleration_ = step.pressureAcceleration;
@@ -223,6 +227,8 @@ void FluidSimulation::run(Stage stage, StepContext& step) {
                            team_);
     case Stage::Gravity:
       return applyGravity(step);
+    case Stage::Touch:
+      return applyTouch(step);
     case Stage::RigidBodies:
       return movingBodies_.advance(time_, step.seconds);
     case Stage::Move:

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "fluid_volumes.h"
+#include "sluice/core/check.h"
 #include "sluice/core/input_error.h"
 #include "sluice/scene/convert.h"
 
@@ -263,6 +264,15 @@ void Population::letGo(double time) {
   std::erase_if(state_.held, [&](const PopulationState::Layer& layer) {
     return (time - layer.mouthSeconds) * nozzles_[layer.nozzle].speed() >= support_;
   });
+}
+
+std::uint64_t Population::numbersLeft() const { return kMostIds - state_.nextId; }
+
+std::uint32_t Population::takeNumbers(std::uint64_t count) {
+  SLUICE_CHECK(count <= numbersLeft());
+  const auto first = static_cast<std::uint32_t>(state_.nextId);
+  state_.nextId += count;
+  return first;
 }
 
 std::uint64_t Population::emitted() const {

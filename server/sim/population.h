@@ -91,6 +91,10 @@ class Population {
   const PopulationState& state() const { return state_; }
   void takeBack(const PopulationState& state) { state_ = state; }
 
+  /// Numbers for `count` particles that come in another way: the first of them.
+  std::uint32_t takeNumbers(std::uint64_t count);
+  std::uint64_t numbersLeft() const;
+
   /// Particles that emitters have given so far.
   std::uint64_t emitted() const;
 

@@ -42,10 +42,12 @@ void read(core::StateReader& in, core::StepStatistics& statistics) {
 
 void FluidSimulation::save(core::StateWriter& out) const {
   out.write(kPart);
+  out.write(added_);
   state_.forEachArray(state_, [&](const auto& values, const auto&) { out.write(values); });
   // Not where the particles are but where they were when they were sorted: the position-based solver has moved them on.
   out.write(grid_.cellOfSorted());
-  if (population_.changes()) population_.save(out);
+  if (population_.changes() || added_ > 0) population_.save(out);
+  touch_.save(out);
   freeFlight_.save(out);
   if (!movingBodies_.empty()) movingBodies_.save(out);
   out.write(time_);
@@ -61,7 +63,8 @@ void FluidSimulation::save(core::StateWriter& out) const {
 void FluidSimulation::resume(core::StateReader& in) {
   in.expect(kPart);
   readParticles(in);
-  if (population_.changes()) population_.resume(in, state_.id);
+  if (population_.changes() || added_ > 0) population_.resume(in, state_.id);
+  touch_.resume(in);
   freeFlight_.resume(in);
   if (!movingBodies_.empty()) movingBodies_.resume(in);
   in.read(time_);
@@ -78,15 +81,19 @@ void FluidSimulation::resume(core::StateReader& in) {
 }
 
 void FluidSimulation::readParticles(core::StateReader& in) {
+  std::uint64_t added = 0;
+  in.read(added);
   ParticleState saved;
   saved.forEachArray(saved, [&](auto& values, const auto&) { in.read(values); });
+  const std::uint64_t initial = state_.size() - (population_.changes() ? 0 : added_);
+  added_ = added;
   const ParticleState own = newParticle();
   bool fits = true;
   saved.forEachArray(own, [&](const auto& values, const auto& one) {
     fits = fits && values.size() == (one.empty() ? 0 : saved.size());
   });
-  // Only emitters and drains change how many there are.
-  fits = fits && (population_.changes() || saved.size() == state_.size());
+  // Only emitters, drains and hands change how many there are.
+  fits = fits && (population_.changes() || saved.size() == initial + added_);
   const std::size_t fluids = mixture_.restDensities().size();
   fits = fits && std::ranges::all_of(saved.fluid, [&](std::uint8_t fluid) { return fluid < fluids; });
   std::vector<std::uint32_t> cells;

@@ -27,6 +27,7 @@ const std::vector<StageDescription>& descriptions() {
       {Stage::ImplicitViscosity, "implicit viscosity", {"pairs", "positions"}, {"velocities"}},
       {Stage::BodyFriction, "body friction", {"contacts"}, {"velocities", "bodies' velocities"}},
       {Stage::Gravity, "gravity", {}, {"velocities"}},
+      {Stage::Touch, "touch", {"positions"}, {"velocities"}},
       {Stage::DensitySolve, "density solve", {"pairs", "densities", "factors"}, {"velocities", "density impulses"}},
       {Stage::EquationOfState, "equation of state", {"pairs", "compressions"}, {"velocities", "compressions"}},
       {Stage::RigidBodies, "rigid bodies", {"bodies' velocities"}, {"poses"}},
@@ -89,6 +90,7 @@ bool isOverPairs(Stage stage) {
     case Stage::Micropolar:
     case Stage::BodyFriction:
     case Stage::Gravity:
+    case Stage::Touch:
     case Stage::RigidBodies:
     case Stage::Move:
     case Stage::Drains:
@@ -154,6 +156,9 @@ std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation,
       break;
     case Stage::Gravity:
       if (isZero(simulation.gravity()) && !traits.forceField) return "gravity is 0";
+      break;
+    case Stage::Touch:
+      if (!traits.touched) return "nobody touches the fluid";
       break;
     case Stage::BodyFriction:
       if (!traits.bodiesRub) return "no body has friction";

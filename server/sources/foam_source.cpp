@@ -89,6 +89,8 @@ class FoamSource : public core::ParticleSource {
     startAnew();
   }
 
+  void interact(const core::Interaction& interaction) override { liquid_->interact(interaction); }
+
   std::string halted() const override { return liquid_->halted(); }
 
   void save(core::StateWriter& out) const override {

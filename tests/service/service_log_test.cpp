@@ -13,6 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// From above, into the middle of the small scene's fluid.
+v1::ClientMessage interactMessage(v1::Interact::Action action) {
+  v1::ClientMessage message;
+  v1::Interact& interact = *message.mutable_interact();
+  interact.set_action(action);
+  interact.mutable_origin()->set_x(0.22);
+  interact.mutable_origin()->set_y(2);
+  interact.mutable_origin()->set_z(0.25);
+  interact.mutable_direction()->set_y(-2);
+  interact.set_radius(0.1);
+  return message;
+}
+
 class CommandLogTest : public testing::Test {
  protected:
   CommandLogTest() : file_(fs::path(testing::TempDir()) / (std::string("commands_") + testName() + ".log")) {
@@ -43,6 +56,9 @@ class CommandLogTest : public testing::Test {
     granted(controlMessage(v1::Control::RESET));
     granted(controlMessage(v1::Control::STEP, 0.07));
     granted(updateMessage("simulation { gravity { y: -3 } }", {"simulation.gravity.y"}));
+    for (const auto action : {v1::Interact::PUSH, v1::Interact::PULL, v1::Interact::ADD}) {
+      granted(interactMessage(action));
+    }
     granted(controlMessage(v1::Control::STEP, 0.12));
   }
 
@@ -58,6 +74,15 @@ TEST_F(CommandLogTest, ReplayReachesTheSameParticlesBitForBit) {
     EXPECT_EQ(replayed.run->source().time(), 0.12);
     EXPECT_DOUBLE_EQ(replayed.run->scene()->scene.simulation().gravity().y(), -3);
   }
+}
+
+TEST_F(CommandLogTest, ATouchThatIsLeftOutIsNoticed) {
+  record();
+  app::RecordedRun run = app::readCommandLog(file_);
+  const std::size_t before = run.entries.size();
+  std::erase_if(run.entries, [](const v1::CommandLogEntry& entry) { return entry.has_interact(); });
+  EXPECT_EQ(run.entries.size(), before - 3);
+  EXPECT_EQ(app::replay(run, 2).same, false);
 }
 
 TEST_F(CommandLogTest, AChangedCommandIsNoticed) {

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "sluice/core/input_error.h"
 #include "sluice/scene/scene.h"
@@ -100,13 +101,19 @@ TEST_F(SavedState, IsRefusedWhenAnyByteIsDifferent) {
   EXPECT_THAT(refusal(longer), HasSubstr("damaged"));
 }
 
-TEST_F(SavedState, IsRefusedWhenForeignOrNewer) {
+TEST_F(SavedState, IsRefusedWhenForeignOrOfAnotherVersion) {
   const std::string text = "ply\nformat ascii 1.0\n";
   EXPECT_THAT(refusal(Bytes(text.begin(), text.end())), HasSubstr("is no saved state"));
-  Bytes newer = bytes_;
-  const std::uint32_t version = 2;
-  std::memcpy(&newer[8], &version, sizeof version);
-  EXPECT_THAT(refusal(newer), HasSubstr("has version 2; this program reads up to version 1"));
+  const auto withVersion = [&](std::uint32_t version) {
+    Bytes other = bytes_;
+    std::memcpy(&other[8], &version, sizeof version);
+    const std::size_t end = other.size() - sizeof(std::uint32_t);
+    const auto checksum = static_cast<std::uint32_t>(crc32_z(0, other.data(), end));
+    std::memcpy(&other[end], &checksum, sizeof checksum);
+    return other;
+  };
+  EXPECT_THAT(refusal(withVersion(3)), HasSubstr("has version 3; this program reads version 2"));
+  EXPECT_THAT(refusal(withVersion(1)), HasSubstr("has version 1, of an older program"));
 }
 
 TEST_F(SavedState, IsOfSimulationsAlone) {

@@ -25,6 +25,7 @@ TEST(StepPlan, RunsEveryStageOfAFullScene) {
                                         core::LeftOut{"adhesion", "no wall or body has any"},
                                         core::LeftOut{"micropolar", "not asked for"},
                                         core::LeftOut{"body friction", "no body has friction"},
+                                        core::LeftOut{"touch", "nobody touches the fluid"},
                                         core::LeftOut{"rigid bodies", "none floats or is driven"},
                                         core::LeftOut{"drains", "none"}, core::LeftOut{"emitters", "none"},
                                         core::LeftOut{"moving boundary", "no body moves or has friction"}));
@@ -42,6 +43,7 @@ TEST(StepPlan, LeavesOutWhatASceneDoesNotNeed) {
                   core::LeftOut{"adhesion", "no wall or body has any"}, core::LeftOut{"micropolar", "not asked for"},
                   core::LeftOut{"viscosity", "the viscosity is 0"},
                   core::LeftOut{"body friction", "no body has friction"}, core::LeftOut{"gravity", "gravity is 0"},
+                  core::LeftOut{"touch", "nobody touches the fluid"},
                   core::LeftOut{"rigid bodies", "none floats or is driven"}, core::LeftOut{"drains", "none"},
                   core::LeftOut{"emitters", "none"}, core::LeftOut{"boundary", "no particle is near a wall"},
                   core::LeftOut{"moving boundary", "no body moves or has friction"}));

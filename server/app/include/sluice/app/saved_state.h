@@ -32,7 +32,7 @@ struct ResumedRun {
   std::unique_ptr<core::ParticleSource> source;
 };
 
-/// Throws core::InputError where the bytes are no state, of a newer version, cut off or damaged; `name` is for
+/// Throws core::InputError where the bytes are no state, of another version, cut off or damaged; `name` is for
 /// messages. `threads` 0 means one for each core.
 ResumedRun decodeState(std::span<const std::uint8_t> bytes, const std::string& name, int threads);
 

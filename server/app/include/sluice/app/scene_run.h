@@ -24,7 +24,8 @@ class SceneRun {
 
   struct Outcome {
     bool sceneChanged = false;
-    bool restarted = false;  ///< The particles started again.
+    bool restarted = false;       ///< The particles started again.
+    bool particlesAdded = false;  ///< There are more than before, without a step.
   };
 
   /// Throws core::InputError, and changes nothing, for what cannot be done.

@@ -21,6 +21,7 @@ enum class Stage {
   ImplicitViscosity,  ///< Viscosity by a linear system.
   BodyFriction,       ///< Friction between the fluid and bodies.
   Gravity,
+  Touch,            ///< What viewers' hands push and pull.
   DensitySolve,     ///< DFSPH, IISPH: pressure impulses that keep the density at rest after the move.
   EquationOfState,  ///< WCSPH: pressure from density, and how that changes.
   RigidBodies,      ///< Bodies move, by Bullet and by their drivers.
@@ -50,6 +51,7 @@ struct StepTraits {
   bool movingAdhere = false;    ///< Fluid adheres to a body that moves or has friction.
   /// A field of force acts besides gravity.
   bool forceField = false;
+  bool touched = false;  ///< A hand pushes or pulls.
   /// The step is longer than explicit viscosity is stable in.
   bool implicitViscosity = false;
   /// An emitter may give particles in this step, or has a layer on its way.
