@@ -1,5 +1,6 @@
 #include "sluice/client/connection.h"
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <string>
@@ -7,12 +8,12 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
-#include <boost/beast/websocket.hpp>
 
 #include "sluice/client/failure.h"
+#include "web_socket.h"
 
 namespace sluice::client {
 
@@ -42,19 +43,20 @@ constexpr std::size_t kMaxArrived = 64;
 /// is always under way, so that pings are answered and closing is noticed during a send as well.
 class Connection::Impl {
  public:
-  Impl(ServerUrl url, Clock::duration timeout) : url_(std::move(url)), timeout_(timeout) {
-    open();
-    greet();
+  Impl(ServerUrl url, Clock::duration timeout, const Access& access)
+      : url_(std::move(url)), timeout_(timeout), socket_(makeWebSocket(io_, url_, access)) {
+    open(access.token);
+    greet(access.role);
   }
 
   ~Impl() {
-    if (!socket_.is_open() || readError_) return;
+    if (!socket_->isOpen() || readError_) return;
     // The server's answer is read by the read that is under way; a server that gives none is not waited for long.
     constexpr std::chrono::seconds kFarewell{1};
     bool closed = false;
-    socket_.async_close(websocket::close_code::normal, [&](error_code) { closed = true; });
+    socket_->close([&](error_code) { closed = true; });
     if (!runUntil([&] { return closed; }, Clock::now() + kFarewell)) {
-      beast::get_lowest_layer(socket_).close();
+      socket_->tcp().close();
       runUntil([&] { return closed; }, Clock::time_point::max());
     }
   }
@@ -67,6 +69,13 @@ class Connection::Impl {
   Clock::duration timeout() const { return timeout_; }
   const std::optional<v1::Stats>& latestStats() const { return latestStats_; }
 
+  void limitRate(double bytesPerSecond) {
+    bytesPerSecond_ = bytesPerSecond;
+    // Else the system takes in megabytes ahead.
+    constexpr int kReceiveBufferBytes = 1 << 15;
+    socket_->tcp().socket().set_option(asio::socket_base::receive_buffer_size(kReceiveBufferBytes));
+  }
+
   std::uint64_t send(v1::ClientMessage message) {
     message.set_sequence(++sequence_);
     const std::string bytes = message.SerializeAsString();
@@ -75,7 +84,7 @@ class Connection::Impl {
       throw RequestError("a message of " + std::to_string(bytes.size()) + " bytes is too large; the server takes " +
                          std::to_string(allowed));
     }
-    const error_code error = await([&](auto done) { socket_.async_write(asio::buffer(bytes), std::move(done)); });
+    const error_code error = await([&](auto done) { socket_->write(bytes, std::move(done)); });
     if (error) throwEnded(error);
     return sequence_;
   }
@@ -94,40 +103,43 @@ class Connection::Impl {
   }
 
  private:
-  void open() {
+  void open(const std::string& token) {
     // Resolving blocks; the system's resolver has time limits of its own.
     asio::ip::tcp::resolver resolver(io_);
     error_code unresolved;
     const auto endpoints = resolver.resolve(url_.host, std::to_string(url_.port), unresolved);
     check(unresolved);
 
-    beast::tcp_stream& tcp = beast::get_lowest_layer(socket_);
-    check(await([&](auto done) { tcp.async_connect(endpoints, std::move(done)); }));
-    tcp.socket().set_option(asio::ip::tcp::no_delay(true));
-
-    socket_.set_option(websocket::stream_base::timeout{
-        .handshake_timeout = timeout_, .idle_timeout = kIdleTimeout, .keep_alive_pings = true});
-    socket_.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-      request.set(http::field::sec_websocket_protocol, kSubprotocol);
-      request.set(http::field::user_agent, "sluice-cli");
-    }));
-    socket_.binary(true);
-    socket_.auto_fragment(false);
-    socket_.read_message_max(kMaxMessageBytes);
-
-    websocket::response_type response;
-    const error_code error =
-        await([&](auto done) { socket_.async_handshake(response, url_.authority(), url_.path, std::move(done)); });
-    if (error == websocket::error::upgrade_declined) {
-      throw ConnectionError(cannotConnect() + "the server answered " + std::to_string(response.result_int()) + " " +
-                            std::string(response.reason()));
+    check(await([&](auto done) { socket_->tcp().async_connect(endpoints, std::move(done)); }));
+    socket_->tcp().socket().set_option(asio::ip::tcp::no_delay(true));
+    if (const error_code error = await([&](auto done) { socket_->secure(std::move(done)); })) {
+      throw ConnectionError(cannotConnect() + socket_->securityProblem(error));
     }
+
+    const WebSocket::Handshake handshake{.host = url_.authority(),
+                                         .path = url_.path,
+                                         .subprotocol = kSubprotocol,
+                                         .token = token,
+                                         .timeout = timeout_,
+                                         .idleTimeout = kIdleTimeout,
+                                         .maxMessageBytes = kMaxMessageBytes};
+    websocket::response_type response;
+    const error_code error = await([&](auto done) { socket_->handshake(handshake, response, std::move(done)); });
+    if (error == websocket::error::upgrade_declined) throw ConnectionError(cannotConnect() + refusal(response));
     check(error);
   }
 
-  void greet() {
+  static std::string refusal(const websocket::response_type& response) {
+    std::string text =
+        "the server answered " + std::to_string(response.result_int()) + " " + std::string(response.reason());
+    if (response.result() == http::status::unauthorized) text += ": it wants another token (--token-file)";
+    return text;
+  }
+
+  void greet(v1::Role role) {
     v1::ClientMessage hello;
     hello.mutable_hello()->set_client("sluice-cli");
+    hello.mutable_hello()->set_role(role);
     send(std::move(hello));
     const Clock::time_point deadline = Clock::now() + timeout_;
     while (true) {
@@ -147,21 +159,36 @@ class Connection::Impl {
 
   void startRead() {
     reading_ = true;
-    socket_.async_read(buffer_, [this](error_code error, std::size_t) {
-      reading_ = false;
+    socket_->read(buffer_, [this](error_code error) {
       if (error) {
+        reading_ = false;
         readError_ = error;
-        return;
+      } else if (bytesPerSecond_ > 0) {
+        takeLater();
+      } else {
+        take();
       }
-      v1::ServerMessage message;
-      if (!message.ParseFromArray(buffer_.data().data(), static_cast<int>(buffer_.size()))) {
-        readError_ = websocket::error::bad_data_frame;
-        return;
-      }
-      buffer_.consume(buffer_.size());
-      arrived_.push_back(std::move(message));
-      if (arrived_.size() < kMaxArrived) startRead();
     });
+  }
+
+  /// Once the message in the buffer would have come at the limited rate.
+  void takeLater() {
+    const std::chrono::duration<double> transfer(static_cast<double>(buffer_.size()) / bytesPerSecond_);
+    linkFree_ = std::max(linkFree_, Clock::now()) + std::chrono::duration_cast<Clock::duration>(transfer);
+    pace_.expires_at(linkFree_);
+    pace_.async_wait([this](error_code) { take(); });
+  }
+
+  void take() {
+    reading_ = false;
+    v1::ServerMessage message;
+    if (!message.ParseFromArray(buffer_.data().data(), static_cast<int>(buffer_.size()))) {
+      readError_ = websocket::error::bad_data_frame;
+      return;
+    }
+    buffer_.consume(buffer_.size());
+    arrived_.push_back(std::move(message));
+    if (arrived_.size() < kMaxArrived) startRead();
   }
 
   /// Serves the socket until `done` holds; false when `deadline` passes first.
@@ -185,7 +212,7 @@ class Connection::Impl {
     start([&result](error_code error, auto&&...) { result = error; });
     if (runUntil([&] { return result.has_value(); }, Clock::now() + timeout_)) return *result;
     // What is under way refers to this frame; so it is ended, and waited for.
-    beast::get_lowest_layer(socket_).close();
+    socket_->tcp().close();
     runUntil([&] { return result.has_value(); }, Clock::time_point::max());
     return beast::error::timeout;
   }
@@ -199,8 +226,8 @@ class Connection::Impl {
   [[noreturn]] void throwEnded(error_code error) const {
     std::string why = error.message();
     if (error == websocket::error::closed) {
-      const auto& reason = socket_.reason().reason;
-      why = reason.empty() ? "the server closed it" : std::string(reason.data(), reason.size());
+      const std::string reason = socket_->closeReason();
+      why = reason.empty() ? "the server closed it" : reason;
     } else if (error == websocket::error::bad_data_frame) {
       why = "the server sent what is no message of " + std::string(kSubprotocol);
     }
@@ -210,9 +237,12 @@ class Connection::Impl {
   const ServerUrl url_;
   const Clock::duration timeout_;
   asio::io_context io_;
-  websocket::stream<beast::tcp_stream> socket_{io_};
+  const std::unique_ptr<WebSocket> socket_;
   beast::flat_buffer buffer_;
   bool reading_ = false;
+  double bytesPerSecond_ = 0;  ///< 0: no limit.
+  asio::steady_timer pace_{io_};
+  Clock::time_point linkFree_;  ///< When the bytes so far have come.
   error_code readError_;
   std::deque<v1::ServerMessage> arrived_;
   std::uint64_t sequence_ = 0;
@@ -220,13 +250,15 @@ class Connection::Impl {
   std::optional<v1::Stats> latestStats_;
 };
 
-Connection::Connection(const ServerUrl& url, Clock::duration timeout) : impl_(std::make_unique<Impl>(url, timeout)) {}
+Connection::Connection(const ServerUrl& url, Clock::duration timeout, const Access& access)
+    : impl_(std::make_unique<Impl>(url, timeout, access)) {}
 Connection::~Connection() = default;
 
 const ServerUrl& Connection::url() const { return impl_->url(); }
 const v1::Welcome& Connection::welcome() const { return impl_->welcome(); }
 Connection::Clock::duration Connection::timeout() const { return impl_->timeout(); }
 const std::optional<v1::Stats>& Connection::latestStats() const { return impl_->latestStats(); }
+void Connection::limitRate(double bytesPerSecond) { impl_->limitRate(bytesPerSecond); }
 std::uint64_t Connection::send(v1::ClientMessage message) { return impl_->send(std::move(message)); }
 std::optional<v1::ServerMessage> Connection::receive(Clock::time_point deadline) { return impl_->receive(deadline); }
 

@@ -58,6 +58,16 @@ PictureSize parseSize(std::string_view text) {
   return {*width, *height};
 }
 
+PicturePoint parsePicturePoint(std::string_view text) {
+  const auto [xText, yText] = cut(text, ',');
+  const std::optional<double> x = parseFinite(xText);
+  const std::optional<double> y = parseFinite(yText);
+  const auto isShare = [](const std::optional<double>& share) { return share && *share >= 0 && *share <= 1; };
+  if (!isShare(x) || !isShare(y))
+    fail(text, "a point of the picture such as 0.5,0.25 (from the left and the top, 0 to 1)");
+  return {*x, *y};
+}
+
 v1::Camera parseCamera(std::string_view text, const v1::Camera& base) {
   const std::string allowed =
       "a camera such as 2,1.5,3:0,0,0 or 2,1.5,3:0,0,0:45 (eye, target, field of view in degrees)";

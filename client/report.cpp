@@ -29,6 +29,8 @@ Json stagesJson(const google::protobuf::RepeatedPtrField<v1::StageTime>& stages)
   return json;
 }
 
+Json vectorJson(const v1::Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
 Json statsJson(const v1::Stats& stats) {
   return {{"simulation_time", stats.simulation_time()},
           {"steps", stats.steps()},
@@ -38,6 +40,11 @@ Json statsJson(const v1::Stats& stats) {
           {"time_step_limit", stats.time_step_limit()},
           {"density_iterations", stats.density_iterations()},
           {"divergence_iterations", stats.divergence_iterations()},
+          {"mean_divergence", stats.mean_divergence()},
+          {"max_divergence", stats.max_divergence()},
+          {"kinetic_energy", stats.kinetic_energy()},
+          {"potential_energy", stats.potential_energy()},
+          {"momentum_drift", stats.momentum_drift()},
           {"mean_density_error", stats.mean_density_error()},
           {"max_density_error", stats.max_density_error()},
           {"real_time_factor", stats.real_time_factor()},

@@ -11,7 +11,8 @@ namespace sluice::client {
 namespace {
 
 bool isAnswer(const v1::ServerMessage& message) {
-  return message.has_done() || message.has_pong() || (message.has_frame() && message.frame().snapshot());
+  return message.has_done() || message.has_pong() || message.has_picked() ||
+         (message.has_frame() && message.frame().snapshot());
 }
 
 }  // namespace
@@ -22,8 +23,12 @@ std::string describe(const v1::Error& error) {
 
 v1::ServerMessage request(Connection& connection, v1::ClientMessage message,
                           const std::function<void(const v1::ServerMessage&)>& other) {
+  return request(connection, std::move(message), Connection::Clock::now() + connection.timeout(), other);
+}
+
+v1::ServerMessage request(Connection& connection, v1::ClientMessage message, Connection::Clock::time_point deadline,
+                          const std::function<void(const v1::ServerMessage&)>& other) {
   const std::uint64_t sequence = connection.send(std::move(message));
-  const auto deadline = Connection::Clock::now() + connection.timeout();
   while (std::optional<v1::ServerMessage> reply = connection.receive(deadline)) {
     if (reply->in_reply_to() == sequence) {
       if (reply->has_error()) throw RequestError(describe(reply->error()));

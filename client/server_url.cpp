@@ -9,7 +9,8 @@ namespace sluice::client {
 namespace {
 
 [[noreturn]] void fail(std::string_view text, const std::string& problem) {
-  throw UsageError("server " + inQuotes(text) + ": " + problem + "; allowed is ws://host[:port][/path]");
+  throw UsageError("server " + inQuotes(text) + ": " + problem +
+                   "; allowed is ws://host[:port][/path], or wss:// for TLS");
 }
 
 }  // namespace
@@ -19,17 +20,18 @@ std::string ServerUrl::authority() const {
   return (isIpv6 ? "[" + host + "]" : host) + ":" + std::to_string(port);
 }
 
-std::string ServerUrl::text() const { return "ws://" + authority() + path; }
+std::string ServerUrl::text() const { return (tls ? "wss://" : "ws://") + authority() + path; }
 
 ServerUrl parseServerUrl(std::string_view text) {
   std::string_view rest = text;
+  ServerUrl url;
   if (const auto end = rest.find("://"); end != std::string_view::npos) {
     const std::string_view scheme = rest.substr(0, end);
-    if (scheme != "ws" && scheme != "http") fail(text, "the scheme " + inQuotes(scheme) + " is not known");
+    url.tls = scheme == "wss" || scheme == "https";
+    if (!url.tls && scheme != "ws" && scheme != "http") fail(text, "the scheme " + inQuotes(scheme) + " is not known");
     rest.remove_prefix(end + 3);
   }
 
-  ServerUrl url;
   if (const auto slash = rest.find('/'); slash != std::string_view::npos) {
     if (rest.size() > slash + 1) url.path = rest.substr(slash);
     rest = rest.substr(0, slash);

@@ -9,6 +9,7 @@
 #include "sluice/client/delay_meter.h"
 #include "sluice/client/failure.h"
 #include "sluice/client/frame_decoder.h"
+#include "sluice/client/peak_signal_to_noise.h"
 #include "sluice/client/requests.h"
 
 namespace sluice::client {
@@ -41,6 +42,7 @@ class StreamBenchmark {
       : connection_(connection), options_(options), camera_(connection.welcome().scene().camera()) {}
 
   StreamBenchmarkResult run() {
+    if (options_.slowBytesPerSecond > 0) connection_.limitRate(options_.slowBytesPerSecond);
     openView();
     const Clock::time_point warmUpEnd = Clock::now() + connection_.timeout();
     while (!takeMessage(warmUpEnd)) {
@@ -63,7 +65,11 @@ class StreamBenchmark {
     while (delays_.waiting() && Clock::now() < aftermathEnd) takeMessage(aftermathEnd);
     std::tie(result_.frames, result_.payloadBytes) = counted;
     result_.inputToDecodedMilliseconds = delays_.milliseconds();
-    return std::move(result_);
+    result_.longestDelayFrames = delays_.mostFrames();
+    // What the comparison receives is not measured.
+    StreamBenchmarkResult measured = result_;
+    measured.psnrDecibels = measureQuality();
+    return measured;
   }
 
  private:
@@ -74,6 +80,9 @@ class StreamBenchmark {
     view.set_height(options_.size.height);
     view.add_codecs(options_.codec);
     view.set_quality(options_.quality);
+    view.set_mode(options_.mode);
+    view.set_kilobits_per_second(options_.kilobitsPerSecond);
+    view.set_no_still(true);
     connection_.send(std::move(message));
   }
 
@@ -87,6 +96,48 @@ class StreamBenchmark {
     nextCamera_ = std::max(nextCamera_ + kCameraInterval, now);
   }
 
+  /// Compares pictures from around the orbit with lossless ones, as long as nothing moves between the two.
+  std::vector<double> measureQuality() {
+    const bool paused =
+        connection_.latestStats() ? connection_.latestStats()->paused() : connection_.welcome().paused();
+    std::vector<double> decibels;
+    if (!paused) return decibels;
+    constexpr int kPictures = 5;
+    for (int i = 0; i < kPictures; ++i) {
+      const v1::Camera camera = orbited(camera_, 2 * std::numbers::pi * i / kPictures);
+      if (const std::optional<Picture> picture = pictureFrom(camera)) {
+        if (const auto psnr = peakSignalToNoise(*picture, losslessFrom(camera))) {
+          decibels.push_back(*psnr);
+        }
+      }
+    }
+    return decibels;
+  }
+
+  /// The stream's picture from this camera; none when it does not come in the connection's time.
+  std::optional<Picture> pictureFrom(const v1::Camera& camera) {
+    v1::ClientMessage message;
+    *message.mutable_set_camera()->mutable_camera() = camera;
+    const std::uint64_t sequence = connection_.send(std::move(message));
+    const Clock::time_point deadline = Clock::now() + connection_.timeout();
+    while (Clock::now() < deadline) {
+      if (takeMessage(deadline) && reflected_ >= sequence) return *picture_;
+    }
+    return std::nullopt;
+  }
+
+  Picture losslessFrom(const v1::Camera& camera) {
+    v1::ClientMessage message;
+    v1::SnapshotRequest& wanted = *message.mutable_snapshot();
+    wanted.set_width(options_.size.width);
+    wanted.set_height(options_.size.height);
+    *wanted.mutable_camera() = camera;
+    const v1::ServerMessage reply = request(connection_, std::move(message), [this](const v1::ServerMessage& other) {
+      if (other.has_frame()) takeFrame(other.frame());
+    });
+    return FrameDecoder().decode(reply.frame());
+  }
+
   /// Handles the next message, if one comes in time; whether it was a frame.
   bool takeMessage(Clock::time_point deadline) {
     const std::optional<v1::ServerMessage> message = connection_.receive(deadline);
@@ -97,18 +148,30 @@ class StreamBenchmark {
     return true;
   }
 
-  void takeFrame(const v1::Frame& frame) {
-    if (frame.codec() != options_.codec) {
-      throw RequestError("the server sends " + v1::Codec_Name(frame.codec()) + ", not " +
-                         v1::Codec_Name(options_.codec));
+  /// Only the mode that may give up size for speed has smaller pictures than asked for.
+  void checkFrame(const v1::Frame& frame) const {
+    const v1::Codec wanted = options_.mode == v1::LOSSLESS ? v1::PNG : options_.codec;
+    if (frame.codec() != wanted) {
+      throw RequestError("the server sends " + v1::Codec_Name(frame.codec()) + ", not " + v1::Codec_Name(wanted));
     }
-    if (frame.width() != options_.size.width || frame.height() != options_.size.height) {
+    const bool whole = frame.width() == options_.size.width && frame.height() == options_.size.height;
+    const bool smaller = frame.width() <= options_.size.width && frame.height() <= options_.size.height;
+    if (!whole && !(smaller && options_.mode == v1::AUTOMATIC)) {
       throw RequestError("the server sends pictures of another size than asked for");
     }
+  }
+
+  void takeFrame(const v1::Frame& frame) {
+    checkFrame(frame);
     const Clock::time_point received = Clock::now();
-    decoder_.decode(frame);
+    picture_ = &decoder_.decode(frame);
     const Clock::time_point decoded = Clock::now();
-    delays_.decoded(frame.reflects_sequence(), decoded);
+    reflected_ = frame.reflects_sequence();
+    const std::optional<double> delay = delays_.decoded(reflected_, decoded);
+    if (delay && frame.response_milliseconds() > 0) {
+      result_.responseMilliseconds.push_back(frame.response_milliseconds());
+      result_.networkAndDecodeMilliseconds.push_back(*delay - frame.response_milliseconds());
+    }
 
     v1::ClientMessage message;
     message.mutable_frame_ack()->set_frame_id(frame.frame_id());
@@ -130,6 +193,8 @@ class StreamBenchmark {
   const StreamBenchmarkOptions& options_;
   const v1::Camera camera_;
   FrameDecoder decoder_;
+  const Picture* picture_ = nullptr;  ///< The decoder's newest.
+  std::uint64_t reflected_ = 0;       ///< The newest message that it shows.
   DelayMeter delays_;
   StreamBenchmarkResult result_;
   Clock::time_point begin_;

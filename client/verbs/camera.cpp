@@ -4,6 +4,7 @@
 
 #include "sluice/client/json.h"
 #include "sluice/client/option_values.h"
+#include "sluice/client/report.h"
 #include "sluice/client/scene_update.h"
 #include "verbs/update.h"
 #include "verbs/verb.h"
@@ -33,10 +34,9 @@ std::vector<std::string> assignments(const CameraOptions& options) {
 
 void print(const Context& context, const v1::Camera& camera) {
   if (context.json) {
-    const auto list = [](const v1::Vec3& v) { return Json{v.x(), v.y(), v.z()}; };
-    context.output.out << toLine({{"eye", list(camera.eye())},
-                                  {"target", list(camera.target())},
-                                  {"up", list(camera.up())},
+    context.output.out << toLine({{"eye", vectorJson(camera.eye())},
+                                  {"target", vectorJson(camera.target())},
+                                  {"up", vectorJson(camera.up())},
                                   {"vertical_fov_degrees", camera.vertical_fov_degrees()}});
     return;
   }

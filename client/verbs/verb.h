@@ -16,13 +16,14 @@ namespace sluice::client {
 /// What every verb is given.
 struct Context {
   ServerUrl server;
+  Access access;
   std::chrono::milliseconds timeout{};
   bool json = false;
   Output output;
   /// The options above as arguments, for a verb that runs other command lines.
   std::vector<std::string> sharedArguments;
 
-  Connection connect() const { return Connection(server, timeout); }
+  Connection connect() const { return Connection(server, timeout, access); }
 };
 
 /// What the command line chose to do. Throws Failure.
@@ -36,6 +37,9 @@ void addCamera(CLI::App& app, Action& chosen);
 void addControls(CLI::App& app, Action& chosen);  ///< play, pause, step, reset
 void addLoad(CLI::App& app, Action& chosen);
 void addSnapshot(CLI::App& app, Action& chosen);
+void addInteractions(CLI::App& app, Action& chosen);  ///< push, pull, add
+void addPick(CLI::App& app, Action& chosen);
+void addViewers(CLI::App& app, Action& chosen);
 void addRecord(CLI::App& app, Action& chosen);
 void addWatch(CLI::App& app, Action& chosen);
 void addBench(CLI::App& app, Action& chosen);

@@ -207,7 +207,7 @@ void SceneRunner::publishSnapshot() {
 void SceneRunner::publishStats() {
   nextStats_ = Clock::now() + kStatsInterval;
   const bool moves = (run_.playing() || run_.hasGoal()) && !run_.atEnd();
-  v1::Stats stats = toProto(run_.source().statistics());
+  v1::Stats stats = toProto(run_.source().statistics(), run_.source().measures());
   stats.set_simulation_time(run_.source().time());
   stats.set_particles(particleCount_);
   stats.set_paused(!run_.playing() || run_.atEnd());

@@ -39,6 +39,7 @@ struct Figures {
   double maxDensityError = 0;
   double meanDensityIterations = 0;
   double meanDivergenceIterations = 0;
+  core::FlowMeasures flow;             ///< At the end.
   std::optional<std::uint64_t> files;  ///< Written, where any were to be.
 
   double millisecondsPerStep() const { return steps == 0 ? 0 : 1000 * wallSeconds / static_cast<double>(steps); }
@@ -61,6 +62,7 @@ class MeasuredRun {
   Figures figures() const {
     Figures figures = figures_;
     figures.particles = source_.snapshot()->size();
+    figures.flow = source_.measures();
     figures.simulatedSeconds = source_.time() - startSeconds_;
     figures.wallSeconds = wall_.count();
     figures.stages = meanStageTimes(stageSums_, figures.steps);
@@ -116,7 +118,12 @@ void printJson(const Figures& f) {
                {"mean_density_error", f.meanDensityError},
                {"max_density_error", f.maxDensityError},
                {"density_iterations", f.meanDensityIterations},
-               {"divergence_iterations", f.meanDivergenceIterations}};
+               {"divergence_iterations", f.meanDivergenceIterations},
+               {"mean_divergence", f.flow.meanDivergence},
+               {"max_divergence", f.flow.maxDivergence},
+               {"kinetic_energy", f.flow.kineticEnergy},
+               {"potential_energy", f.flow.potentialEnergy},
+               {"momentum_drift", f.flow.momentumDrift}};
   if (f.files) json["files"] = *f.files;
   std::printf("%s\n", json.dump().c_str());
 }

@@ -2,7 +2,7 @@
 
 namespace sluice::app {
 
-v1::Stats toProto(const core::StepStatistics& statistics) {
+v1::Stats toProto(const core::StepStatistics& statistics, const core::FlowMeasures& measures) {
   v1::Stats stats;
   stats.set_steps(statistics.steps);
   stats.set_time_step_seconds(statistics.timeStepSeconds);
@@ -11,6 +11,11 @@ v1::Stats toProto(const core::StepStatistics& statistics) {
   stats.set_divergence_iterations(statistics.divergenceIterations);
   stats.set_mean_density_error(statistics.meanDensityError);
   stats.set_max_density_error(statistics.maxDensityError);
+  stats.set_mean_divergence(measures.meanDivergence);
+  stats.set_max_divergence(measures.maxDivergence);
+  stats.set_kinetic_energy(measures.kineticEnergy);
+  stats.set_potential_energy(measures.potentialEnergy);
+  stats.set_momentum_drift(measures.momentumDrift);
   for (const core::StageTime& stage : statistics.stages) {
     v1::StageTime& out = *stats.add_stages();
     out.set_name(stage.name);

@@ -181,6 +181,8 @@ InitialState FluidSimulation::startAnew() {
   recoverySeconds_ = std::numeric_limits<double>::infinity();
   pressureAcceleration_ = 0;
   wallContacts_ = 0;
+  momentum_.reset();
+  momentumDrift_.setZero();
   halted_.clear();
   freeFlight_.reset();
   maxSpeed_ = 0;

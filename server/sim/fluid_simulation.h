@@ -85,6 +85,7 @@ class FluidSimulation : public core::ParticleSource {
   /// The fluids; the state's impulses times mixture().heaviest() over the step's length are pressures.
   const Mixture& mixture() const { return mixture_; }
   core::StepStatistics statistics() const override { return statistics_; }
+  core::FlowMeasures measures() const override;
   /// Particles that have been held at walls by force, since the initial state.
   std::uint64_t wallContacts() const { return wallContacts_; }
 
@@ -107,6 +108,7 @@ class FluidSimulation : public core::ParticleSource {
   StepContext beginStep();
   bool tryStep();
   void finish(const StepContext& step);
+  void followMomentum(const StepPlan& plan, double seconds);
   void run(Stage stage, StepContext& step);
   void acceptLength(StepContext& step) const;
   void applyGravity(const StepContext& step);
@@ -180,6 +182,8 @@ class FluidSimulation : public core::ParticleSource {
   bool boundaryInReach_ = true;
   bool bodiesInReach_ = false;
   std::uint64_t wallContacts_ = 0;
+  std::optional<Eigen::Vector3d> momentum_;                  ///< After the last step, kg·m/s, where it was followed.
+  Eigen::Vector3d momentumDrift_ = Eigen::Vector3d::Zero();  ///< See core::FlowMeasures, kg·m/s.
   std::string halted_;
   std::vector<std::uint64_t> takenOut_;  ///< Of each body: particles that it leaves no room for at the start.
   core::StepStatistics statistics_;

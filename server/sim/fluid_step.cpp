@@ -189,6 +189,7 @@ bool FluidSimulation::tryStep() {
   if (!plan.contains(Stage::Neighbours)) freeFlight_.advance(state_.velocity, step.seconds, team_);
   if (!plan.contains(Stage::MovingBoundary)) contacts_.clear();
   finish(step);
+  followMomentum(plan, step.seconds);
   return true;
 }
 

@@ -74,6 +74,8 @@ void FluidSimulation::resume(core::StateReader& in) {
   in.read(pressureAcceleration_);
   in.read(wallContacts_);
   in.read(halted_);
+  momentum_.reset();
+  momentumDrift_.setZero();
   core::StepStatistics statistics;
   read(in, statistics);
   rebuildPairs();

@@ -52,6 +52,8 @@ class FoamSource : public core::ParticleSource {
 
   double time() const override { return liquid_->time(); }
 
+  core::FlowMeasures measures() const override { return liquid_->measures(); }
+
   void reset() override {
     liquid_->reset();
     startAnew();

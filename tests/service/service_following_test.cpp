@@ -127,6 +127,42 @@ TEST(ServicePick, FindsTheBlock) {
   EXPECT_FALSE(viewer.receiveReply(viewer.send(request)).picked().hit());
 }
 
+/// Pushes along −x through the middle of the block, from a camera to its right.
+v1::ClientMessage push(double strength) {
+  v1::ClientMessage message;
+  v1::Interact& interact = *message.mutable_interact();
+  interact.set_action(v1::Interact::PUSH);
+  interact.mutable_origin()->set_x(3);
+  interact.mutable_origin()->set_y(0.3);
+  interact.mutable_origin()->set_z(0.25);
+  interact.mutable_direction()->set_x(-1);
+  interact.set_strength(strength);
+  return message;
+}
+
+TEST(ServiceTouch, APushMovesTheFluid) {
+  RunningService service;
+  TestViewer viewer = service.viewer();
+  viewer.setView(64, 64);
+  viewer.nextFrame();
+  EXPECT_TRUE(viewer.receiveReply(viewer.send(push(300))).has_done());
+  EXPECT_TRUE(viewer.receiveReply(viewer.send(controlMessage(v1::Control::STEP, 0.03))).has_done());
+  v1::ClientMessage pick;
+  pick.mutable_pick()->set_x(0.5);
+  pick.mutable_pick()->set_y(0.5);
+  *pick.mutable_pick()->mutable_camera() = cameraAt(3, 0.3, 0.25);
+  pick.mutable_pick()->mutable_camera()->mutable_target()->set_y(0.3);
+  pick.mutable_pick()->mutable_camera()->mutable_target()->set_z(0.25);
+  EXPECT_LT(viewer.receiveReply(viewer.send(pick)).picked().velocity().x(), -0.2);
+}
+
+TEST(ServiceTouch, SpectatorsOnlyLook) {
+  RunningService service;
+  TestViewer viewer("127.0.0.1", service.port());
+  viewer.helloAs(v1::SPECTATOR);
+  EXPECT_EQ(viewer.receiveReply(viewer.send(push(300))).error().code(), v1::Error::REFUSED);
+}
+
 TEST(ServiceStep, GoesToATimeExactly) {
   RunningService service;
   TestViewer viewer = service.viewer();

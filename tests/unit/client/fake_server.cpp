@@ -48,6 +48,11 @@ class FakeServer::Impl {
     return received_;
   }
 
+  std::string authorization() const {
+    const std::lock_guard lock(mutex_);
+    return authorization_;
+  }
+
  private:
   asio::awaitable<void> accept() {
     while (true) {
@@ -62,6 +67,10 @@ class FakeServer::Impl {
     beast::flat_buffer buffer;
     http::request<http::string_body> upgrade;
     co_await http::async_read(tcp, buffer, upgrade, use_awaitable);
+    {
+      const std::lock_guard lock(mutex_);
+      authorization_ = std::string(upgrade[http::field::authorization]);
+    }
     if (httpStatus_) {
       http::response<http::string_body> response(static_cast<http::status>(*httpStatus_), upgrade.version());
       response.prepare_payload();
@@ -97,6 +106,7 @@ class FakeServer::Impl {
   std::uint16_t port_;
   mutable std::mutex mutex_;
   std::vector<v1::ClientMessage> received_;
+  std::string authorization_;
   std::thread thread_;
 };
 
@@ -106,6 +116,7 @@ FakeServer::~FakeServer() = default;
 
 ServerUrl FakeServer::url() const { return {"127.0.0.1", impl_->port(), "/stream"}; }
 std::vector<v1::ClientMessage> FakeServer::received() const { return impl_->received(); }
+std::string FakeServer::authorization() const { return impl_->authorization(); }
 
 v1::ServerMessage replyTo(const v1::ClientMessage& message) {
   v1::ServerMessage reply;

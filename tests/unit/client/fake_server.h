@@ -35,6 +35,9 @@ class FakeServer {
   /// Everything received so far, of all connections. Thread-safe.
   std::vector<v1::ClientMessage> received() const;
 
+  /// The Authorization header of the newest handshake; empty where it had none. Thread-safe.
+  std::string authorization() const;
+
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;

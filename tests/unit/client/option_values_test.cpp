@@ -16,17 +16,19 @@ TEST(ServerUrl, FillsInWhatIsLeftOut) {
   EXPECT_EQ(parseServerUrl("ws://host/behind/a/proxy"), (ServerUrl{"host", 8080, "/behind/a/proxy"}));
   EXPECT_EQ(parseServerUrl("ws://[::1]:90"), (ServerUrl{"::1", 90, "/stream"}));
   EXPECT_EQ(parseServerUrl("[::1]"), (ServerUrl{"::1", 8080, "/stream"}));
+  EXPECT_EQ(parseServerUrl("wss://host:90"), (ServerUrl{"host", 90, "/stream", true}));
+  EXPECT_EQ(parseServerUrl("https://host/"), (ServerUrl{"host", 8080, "/stream", true}));
 }
 
 TEST(ServerUrl, WritesItselfSoThatItIsReadBack) {
-  for (const char* text : {"ws://host:1/stream", "ws://[::1]:65535/deep/path"}) {
+  for (const char* text : {"ws://host:1/stream", "ws://[::1]:65535/deep/path", "wss://host:1/stream"}) {
     EXPECT_EQ(parseServerUrl(text).text(), text);
   }
 }
 
 TEST(ServerUrl, RefusesWhatIsNoAddress) {
-  for (const char* text : {"", "ws://", "ws://:80", "ftp://host", "wss://host", "host:", "host:0", "host:65536",
-                           "host:8o", "[::1", "[]:80", "[::1]80", "me@host", "a host", "host/a path"}) {
+  for (const char* text : {"", "ws://", "ws://:80", "ftp://host", "wss://", "host:", "host:0", "host:65536", "host:8o",
+                           "[::1", "[]:80", "[::1]80", "me@host", "a host", "host/a path"}) {
     EXPECT_THROW(parseServerUrl(text), UsageError) << text;
   }
 }

@@ -1,6 +1,7 @@
 // Every verb against a fake server: what it sends, what it prints, and how it ends.
 
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -130,6 +131,15 @@ TEST(CommandLine, BadUsageIsTwo) {
            {"script", "no_such_file"},
            {"info", "--server", "ftp://host"},
            {"info", "--timeout", "-1"},
+           {"info", "--token", "two words"},
+           {"info", "--token-file", "no_such_file"},
+           {"info", "--server", "wss://127.0.0.1:1", "--ca-file", "no_such_file"},
+           {"watch", "--follow", "0"},
+           {"step", "2", "--until", "1"},
+           {"pick", "0.5"},
+           {"pick", "0.5,1.5"},
+           {"push", "0.5,0.5", "--seconds", "2"},
+           {"add"},
        }) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exitCode, 2) << testing::PrintToString(arguments);
@@ -219,6 +229,127 @@ TEST(Controls, SendTheirActionAndTellTheState) {
   EXPECT_EQ(run(server, {"pause", "--json"}).json()["paused"], true);
 }
 
+TEST(Controls, StepsUntilATime) {
+  const FakeServer server(oblige);
+  EXPECT_EQ(run(server, {"step", "--until", "1.5"}).exitCode, 0);
+  ASSERT_EQ(server.received().size(), 3U);
+  EXPECT_EQ(server.received()[1].control().action(), v1::Control::STEP);
+  EXPECT_EQ(server.received()[1].control().until_seconds(), 1.5);
+}
+
+TEST(Access, TellsTheRoleAndTheTokenInTheHandshakeAlone) {
+  const FakeServer server(oblige);
+  EXPECT_EQ(run(server, {"info", "--spectator", "--token", "a-secret-of-many-letters"}).exitCode, 0);
+  EXPECT_EQ(server.received()[0].hello().role(), v1::SPECTATOR);
+  EXPECT_THAT(server.received()[0].hello().token(), IsEmpty());
+  EXPECT_EQ(server.authorization(), "Bearer a-secret-of-many-letters");
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("tokens")) << "of-the-drivers-0123\r\nof-the-spectators\n";
+  EXPECT_EQ(run(server, {"info", "--token-file", folder.file("tokens")}).exitCode, 0);
+  EXPECT_EQ(server.authorization(), "Bearer of-the-drivers-0123");
+}
+
+TEST(Access, TokensAreNotPrinted) {
+  const std::string token = "a-secret-of-many-letters";
+  const Outcome refused = run(FakeServer(401), {"info", "--token", token});
+  EXPECT_EQ(refused.exitCode, 3);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("401"), HasSubstr("--token-file")));
+  const Outcome misspelt = run({"info", "--token", token + " and-more"});
+  for (const Outcome& outcome : {refused, misspelt}) EXPECT_EQ(outcome.err.find(token), std::string::npos);
+}
+
+TEST(Interactions, SendTheLineOfSight) {
+  const FakeServer server(oblige);
+  const std::string camera = "0,0,2:0,0,0:90";
+  const Outcome outcome = run(server, {"push", "1,0.5", "--camera", camera, "--size", "200x100", "--radius", "0.2",
+                                       "--strength", "12", "--seconds", "0.5", "--json"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  const v1::Interact push = server.received().back().interact();
+  EXPECT_EQ(push.action(), v1::Interact::PUSH);
+  EXPECT_EQ(push.origin().z(), 2);
+  // At the right edge tan 45° · 200/100 = 2 to the right for each 1 forwards.
+  EXPECT_NEAR(push.direction().x(), 2 / std::sqrt(5.0), 1e-9);
+  EXPECT_NEAR(push.direction().y(), 0, 1e-9);
+  EXPECT_NEAR(push.direction().z(), -1 / std::sqrt(5.0), 1e-9);
+  EXPECT_EQ(push.radius(), 0.2);
+  EXPECT_EQ(push.strength(), 12);
+  EXPECT_EQ(push.seconds(), 0.5);
+
+  EXPECT_EQ(run(server, {"add", "0.5,0.5", "--fluid", "1"}).exitCode, 0);
+  EXPECT_EQ(server.received().back().interact().action(), v1::Interact::ADD);
+  EXPECT_EQ(server.received().back().interact().fluid(), 1U);
+  EXPECT_EQ(server.received().back().interact().origin().x(), 3) << "the scene's camera";
+  EXPECT_EQ(run(server, {"pull", "0.5,0.5"}).exitCode, 0);
+  EXPECT_EQ(server.received().back().interact().action(), v1::Interact::PULL);
+  EXPECT_EQ(run(FakeServer(refuse), {"pull", "0.5,0.5"}).exitCode, 1);
+}
+
+Reaction answerPick(const v1::ClientMessage& message, bool hit) {
+  if (!message.has_pick()) return oblige(message);
+  v1::ServerMessage reply = replyTo(message);
+  v1::Picked& picked = *reply.mutable_picked();
+  picked.set_hit(hit);
+  picked.mutable_position()->set_y(0.25);
+  picked.set_depth(3);
+  picked.set_thickness(0.5);
+  picked.set_density(1000);
+  return {.messages = {reply}};
+}
+
+TEST(Pick, TellsWhatIsThere) {
+  const FakeServer server([](const v1::ClientMessage& message) { return answerPick(message, true); });
+  const Json json = run(server, {"pick", "0.25,0.75", "--size", "320x200", "--json"}).json();
+  EXPECT_EQ(json["hit"], true);
+  EXPECT_EQ(json["position"], Json({0.0, 0.25, 0.0}));
+  EXPECT_EQ(json["depth"], 3);
+  EXPECT_EQ(json["thickness"], 0.5);
+  EXPECT_EQ(json["density"], 1000);
+  const std::vector<v1::ClientMessage> received = server.received();
+  EXPECT_EQ(received[1].set_view().width(), 320U) << "the picture that is picked from";
+  EXPECT_EQ(received[2].pick().x(), 0.25);
+  EXPECT_EQ(received[2].pick().y(), 0.75);
+  EXPECT_EQ(received[2].pick().camera().eye().x(), 3);
+  EXPECT_THAT(run(server, {"pick", "0.5,0.5"}).out, AllOf(HasSubstr("0, 0.25, 0 m"), HasSubstr("1000 kg")));
+}
+
+TEST(Pick, ThereMayBeNothing) {
+  const FakeServer server([](const v1::ClientMessage& message) { return answerPick(message, false); });
+  const Json json = run(server, {"pick", "0.5,0.5", "--json"}).json();
+  EXPECT_EQ(json["hit"], false);
+  EXPECT_TRUE(json["position"].is_null());
+  EXPECT_EQ(run(server, {"pick", "0.5,0.5"}).out, "no fluid there\n");
+}
+
+/// Tells who is there, as soon as somebody comes.
+Reaction tellViewers(const v1::ClientMessage& message) {
+  Reaction reaction = oblige(message);
+  if (!message.has_hello()) return reaction;
+  reaction.messages.back().mutable_welcome()->set_viewer_id(7);
+  v1::ServerMessage told;
+  for (const std::uint64_t id : {3U, 7U}) {
+    v1::ViewersChanged::Viewer& viewer = *told.mutable_viewers_changed()->add_viewers();
+    viewer.set_viewer_id(id);
+    viewer.set_client("program " + std::to_string(id));
+    viewer.set_role(id == 3 ? v1::DRIVER : v1::SPECTATOR);
+    viewer.set_width(id == 3 ? 640 : 0);
+    viewer.set_height(id == 3 ? 480 : 0);
+    viewer.set_follows(id == 3 ? 0 : 3);
+  }
+  reaction.messages.push_back(told);
+  return reaction;
+}
+
+TEST(Viewers, ListsWhoLooksOn) {
+  const FakeServer server(tellViewers);
+  const Json json = run(server, {"viewers", "--json"}).json();
+  ASSERT_EQ(json["viewers"].size(), 2U);
+  EXPECT_EQ(json["viewers"][0]["role"], "driver");
+  EXPECT_TRUE(json["viewers"][0]["follows"].is_null());
+  EXPECT_EQ(json["viewers"][1]["follows"], 3);
+  EXPECT_EQ(json["viewers"][1]["self"], true);
+  EXPECT_THAT(run(server, {"viewers"}).out, AllOf(HasSubstr("640x480"), HasSubstr("* 7"), HasSubstr("program 3")));
+}
+
 TEST(Controls, StepRepeatsItself) {
   const FakeServer server(oblige);
   EXPECT_EQ(run(server, {"step", "5"}).exitCode, 0);
@@ -303,6 +434,31 @@ TEST(Watch, ConnectsAgainWhenTheServerGoesAway) {
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2);
   EXPECT_EQ(outcome.json()["steps"], 300);
   EXPECT_EQ(server.received().size(), 2U);
+}
+
+TEST(Watch, EndsWithTheServerWhereAskedTo) {
+  const FakeServer server(tellOnceAndClose);
+  const Outcome outcome = run(server, {"watch", "--no-reconnect"});
+  EXPECT_EQ(outcome.exitCode, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("has ended"));
+  EXPECT_EQ(server.received().size(), 1U);
+}
+
+TEST(Watch, FollowsAViewersPictures) {
+  const FakeServer server([](const v1::ClientMessage& message) {
+    Reaction reaction = stream(message);
+    if (message.has_frame_ack()) {
+      reaction.messages.emplace_back();
+      *reaction.messages.back().mutable_stats() = someStats();
+    }
+    return reaction;
+  });
+  const Json json = run(server, {"watch", "--follow", "3", "--count", "1", "--json"}).json();
+  EXPECT_EQ(json["pictures"]["frames"], 1);
+  EXPECT_EQ(json["pictures"]["width"], 32);
+  EXPECT_GT(json["pictures"]["bytes"], 0);
+  EXPECT_EQ(server.received()[1].set_view().follow(), 3U);
+  EXPECT_EQ(server.received()[2].frame_ack().frame_id(), server.received()[1].sequence());
 }
 
 TEST(Watch, WritesPlainLinesUnlessOnATerminal) {

@@ -22,6 +22,15 @@ struct PictureSize {
 /// "1280x720".
 PictureSize parseSize(std::string_view text);
 
+/// A point of a picture: from its left edge and from its top, as shares of its width and height.
+struct PicturePoint {
+  double x = 0.5;
+  double y = 0.5;
+};
+
+/// "0.5,0.25", each from 0 to 1.
+PicturePoint parsePicturePoint(std::string_view text);
+
 /// "x,y,z:x,y,z[:fovDegrees]", eye and target; what it does not say is taken from `base`.
 v1::Camera parseCamera(std::string_view text, const v1::Camera& base);
 

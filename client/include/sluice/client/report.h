@@ -12,6 +12,9 @@ namespace sluice::client {
 /// Stage names with their milliseconds.
 Json stagesJson(const google::protobuf::RepeatedPtrField<v1::StageTime>& stages);
 
+/// [x, y, z].
+Json vectorJson(const v1::Vec3& vector);
+
 /// Every field of Stats under its own name.
 Json statsJson(const v1::Stats& stats);
 

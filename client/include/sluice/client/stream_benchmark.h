@@ -14,7 +14,10 @@ struct StreamBenchmarkOptions {
   PictureSize size;
   v1::Codec codec = v1::JPEG;
   std::uint32_t quality = 0;  ///< 1..100 for lossy codecs; 0 takes the server's default.
-  bool orbit = true;          ///< Turn the camera all the time; else it rests, and no delay is measured.
+  v1::QualityMode mode = v1::AUTOMATIC;
+  std::uint32_t kilobitsPerSecond = 0;  ///< For FIXED_BIT_RATE.
+  double slowBytesPerSecond = 0;        ///< Plays a link that carries no more; 0: as it is.
+  bool orbit = true;                    ///< Turn the camera all the time; else it rests, and no delay is measured.
 };
 
 /// A stage of the server's work and the milliseconds it took for each frame that ran it.
@@ -27,8 +30,14 @@ struct StreamBenchmarkResult {
   double seconds = 0;  ///< Wall time over which frames and bytes are counted.
   std::size_t frames = 0;
   std::size_t payloadBytes = 0;
-  std::vector<double> inputToDecodedMilliseconds;  ///< One for each camera that was sent.
+  std::vector<double> inputToDecodedMilliseconds;    ///< One for each camera that was sent.
+  std::vector<double> responseMilliseconds;          ///< The server's share of the delay.
+  std::vector<double> networkAndDecodeMilliseconds;  ///< The rest of it: the way there and back, and decoding.
+  /// The most frames that came behind a camera up to and with the first that shows it.
+  std::size_t longestDelayFrames = 0;
   std::vector<double> decodeMilliseconds;
+  /// Peak signal-to-noise ratio of pictures at rest against lossless ones, dB; empty where time runs or sizes differ.
+  std::vector<double> psnrDecibels;
   std::vector<StageSamples> stages;  ///< In the order in which the server first named them.
 };
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "sluice/core/flow_measures.h"
 #include "sluice/core/interaction.h"
 #include "sluice/core/particle_snapshot.h"
 #include "sluice/core/plan.h"
@@ -11,8 +12,8 @@
 
 namespace sluice::app {
 
-/// Everything of Stats that a step knows by itself.
-v1::Stats toProto(const core::StepStatistics& statistics);
+/// Everything of Stats that a source knows by itself.
+v1::Stats toProto(const core::StepStatistics& statistics, const core::FlowMeasures& measures);
 
 v1::Plan toProto(const core::Plan& plan);
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sluice/core/flow_measures.h"
 #include "sluice/core/interaction.h"
 #include "sluice/core/particle_snapshot.h"
 #include "sluice/core/plan.h"
@@ -40,6 +41,9 @@ class ParticleSource {
 
   /// How the last step went; sources that can tell without copying their particles do.
   virtual StepStatistics statistics() const { return snapshot()->statistics; }
+
+  /// What tells of the error of the flow as it is now; costs a pass over the particles. Zeros where a source has no flow.
+  virtual FlowMeasures measures() const { return {}; }
 
   /// Takes over the live fields of a complete, valid scene; the caller restarts the source where a field that needs
   /// it has changed. Throws InputError, and keeps its state, where a value cannot be taken.
