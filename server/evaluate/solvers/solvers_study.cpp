@@ -41,7 +41,8 @@ std::vector<Job> jobsOf(const Options& options) {
       const std::vector<int>& resolutions = options.quick ? c.quick : c.full;
       if (level >= resolutions.size()) continue;
       for (const Method& method : methods) {
-        if (c.applies(method) && !repeats(c, method, jobs)) jobs.push_back({&c, method, resolutions[level]});
+        if (!c.applies(method, resolutions[level]) || repeats(c, method, jobs)) continue;
+        jobs.push_back({&c, method, resolutions[level]});
       }
     }
   }
