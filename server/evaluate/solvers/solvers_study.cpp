@@ -131,8 +131,9 @@ Report runSolversStudy(const Options& options) {
   Progress progress(options, jobs.size());
   std::vector<Row> rows;
   for (const Job& job : jobs) {
-    progress.begin(job.key());
-    if (store.find(job.key()) == nullptr) store.add(job.key(), measure(job, options.threads));
+    const bool kept = store.find(job.key()) != nullptr;
+    progress.begin(job.key(), kept);
+    if (!kept) store.add(job.key(), measure(job, options.threads));
     std::ranges::copy(*store.find(job.key()), std::back_inserter(rows));
   }
   // By case again, as they were listed.

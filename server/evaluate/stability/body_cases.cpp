@@ -52,7 +52,7 @@ Trial pool(std::vector<v1::Body> bodies) {
     energy += weight * std::max(body.position().y(), kSurface) / mass;
   }
   trial.energyLimit = energy;
-  trial.seconds = 0.75;
+  trial.seconds = 0.5;
   trial.steps = 5000;
   return trial;
 }

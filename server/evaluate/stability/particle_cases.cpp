@@ -34,8 +34,8 @@ Trial layers(double lower, double upper) {
   trial.isExperiment = false;
   trial.seconds = 0.5;
   trial.steps = 10000;
-  // Twice what the whole depth falls to.
-  trial.speedLimit = 2 * std::sqrt(2 * 9.81 * 0.8);
+  // What the heavy one gives where it falls by the depth of the light one, which can be thrown out far faster.
+  trial.energyLimit = 9.81 * 8 * kSpacing;
   trial.simulation.clear_fluids();
   trial.simulation.mutable_container()->mutable_max()->set_y(1.2);
   for (const double density : {lower, upper}) {

@@ -39,10 +39,17 @@ bool holdsBodies(const v1::Box& box, const core::ParticleSnapshot& particles) {
   });
 }
 
+/// Of all fluids, J/kg.
 double kineticEnergy(const core::ParticleSnapshot& particles) {
-  double sum = 0;
-  for (const Eigen::Vector3f& v : particles.velocities) sum += 0.5 * v.cast<double>().squaredNorm();
-  return sum / static_cast<double>(std::max<std::size_t>(particles.size(), 1));
+  double energy = 0;
+  double mass = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    // Particles have equal volumes at rest.
+    const double own = particles.fluids.empty() ? particles.restDensity : particles.restDensities[particles.fluids[i]];
+    energy += 0.5 * own * particles.velocities[i].cast<double>().squaredNorm();
+    mass += own;
+  }
+  return mass > 0 ? energy / mass : 0;
 }
 
 }  // namespace

@@ -92,9 +92,10 @@ std::vector<std::vector<Row>> runParts(const Options& options) {
   Progress progress(options, jobs.size());
   std::vector<std::vector<Row>> rows(partsOfStudy().size());
   for (const auto& [part, job] : jobs) {
-    progress.begin(job.name);
     const std::string key = (options.quick ? "quick, " : "full, ") + job.name;
-    if (store.find(key) == nullptr) store.add(key, job.run());
+    const bool kept = store.find(key) != nullptr;
+    progress.begin(job.name, kept);
+    if (!kept) store.add(key, job.run());
     std::ranges::copy(*store.find(key), std::back_inserter(rows[part]));
   }
   return rows;
