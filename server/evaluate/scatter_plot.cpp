@@ -159,8 +159,8 @@ class Drawing {
          << "\" height=\"" << kBottom - kTop << "\"/>\n";
     text(0.5 * (kLeft + kRight), kBottom + 44, plot_.xLabel, "axis", "middle");
     std::ostringstream turn;
-    turn << " transform=\"rotate(-90 24 " << 0.5 * (kTop + kBottom) << ")\"";
-    text(24, 0.5 * (kTop + kBottom), plot_.yLabel, "axis", "middle", turn.str());
+    turn << " transform=\"rotate(-90 18 " << 0.5 * (kTop + kBottom) << ")\"";
+    text(18, 0.5 * (kTop + kBottom), plot_.yLabel, "axis", "middle", turn.str());
   }
 
   void drawLevel() {
