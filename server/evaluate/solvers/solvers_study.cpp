@@ -29,6 +29,12 @@ bool repeats(const Case& solverCase, const Method& method, const std::vector<Job
          });
 }
 
+/// The finest of several resolutions takes most of a sweep's time: there defaults alone run, to keep to an hour.
+bool isTooLong(const std::vector<int>& resolutions, std::size_t level, const Method& method) {
+  constexpr std::size_t kSeveral = 3;
+  return resolutions.size() >= kSeveral && level + 1 == resolutions.size() && !isDefault(method);
+}
+
 /// Coarse runs of all cases first, so that a study that is cut off has something of everything.
 std::vector<Job> jobsOf(const Options& options) {
   std::vector<Job> jobs;
@@ -42,6 +48,7 @@ std::vector<Job> jobsOf(const Options& options) {
       if (level >= resolutions.size()) continue;
       for (const Method& method : methods) {
         if (!c.applies(method, resolutions[level]) || repeats(c, method, jobs)) continue;
+        if (isTooLong(resolutions, level, method)) continue;
         jobs.push_back({&c, method, resolutions[level]});
       }
     }
