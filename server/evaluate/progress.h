@@ -12,14 +12,15 @@ class Progress {
  public:
   Progress(const Options& options, std::size_t parts);
 
-  /// The next part begins.
-  void begin(const std::string& name);
+  /// The next part begins. `kept`: it is there from an earlier study and takes no time.
+  void begin(const std::string& name, bool kept = false);
 
  private:
   const Options& options_;
   std::size_t parts_;
   std::size_t begun_ = 0;
-  double start_;  ///< s.
+  std::size_t run_ = 0;  ///< Of those, what was not kept.
+  double start_;         ///< s.
 };
 
 /// The bar alone; `done` parts of `all`.

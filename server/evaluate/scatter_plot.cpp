@@ -159,20 +159,8 @@ class Drawing {
          << "\" height=\"" << kBottom - kTop << "\"/>\n";
     text(0.5 * (kLeft + kRight), kBottom + 44, plot_.xLabel, "axis", "middle");
     std::ostringstream turn;
-    turn << " transform=\"rotate(-90 24 " << 0.5 * (kTop + kBottom) << ")\"";
-    text(24, 0.5 * (kTop + kBottom), plot_.yLabel, "axis", "middle", turn.str());
-  }
-
-  static std::string tickText(double tick) {
-    std::ostringstream out;
-    if (tick >= 1e6) {
-      out << tick / 1e6 << " M";
-    } else if (tick >= 1e4) {
-      out << tick / 1e3 << " k";
-    } else {
-      out << tick;
-    }
-    return out.str();
+    turn << " transform=\"rotate(-90 18 " << 0.5 * (kTop + kBottom) << ")\"";
+    text(18, 0.5 * (kTop + kBottom), plot_.yLabel, "axis", "middle", turn.str());
   }
 
   void drawLevel() {
@@ -191,10 +179,10 @@ class Drawing {
     for (const PlotSeries& series : plot_.series) {
       std::ranges::copy_if(series.points, std::back_inserter(all), isDrawn);
     }
-    const std::vector<PlotPoint> front = paretoFront(all);
-    if (front.size() < 2) return;
+    front_ = paretoFront(all);
+    if (front_.size() < 2) return;
     out_ << "<polyline class=\"front\" points=\"";
-    for (const PlotPoint& p : front) out_ << axes_.atX(p.x) << ',' << axes_.atY(p.y) << ' ';
+    for (const PlotPoint& p : front_) out_ << axes_.atX(p.x) << ',' << axes_.atY(p.y) << ' ';
     out_ << "\"/>\n";
   }
 
@@ -271,38 +259,44 @@ class Drawing {
     out << '"';
   }
 
-  /// Beside each series' last point, where it covers nothing; left out where there is no such place.
+  /// Beside each series' last point and the points of the front, where they cover nothing.
   void drawLabels() {
+    for (const PlotPoint& p : front_) label(p, p.label);
     for (const PlotSeries& series : plot_.series) {
       const auto last = std::find_if(series.points.rbegin(), series.points.rend(), isDrawn);
-      if (series.label.empty() || last == series.points.rend()) continue;
-      const double x = axes_.atX(last->x);
-      const double y = axes_.atY(last->y);
-      const double width = 6.2 * static_cast<double>(series.label.size());  // of a letter at 11 px, on average
-      constexpr double kHalfHeight = 7;
-      struct Place {
-        double dx;
-        double dy;
-        const char* anchor;
-      };
-      constexpr std::array<Place, 8> kPlaces{{{9, 0, "start"},
-                                              {-9, 0, "end"},
-                                              {0, -13, "middle"},
-                                              {0, 14, "middle"},
-                                              {8, -12, "start"},
-                                              {8, 13, "start"},
-                                              {-8, -12, "end"},
-                                              {-8, 13, "end"}}};
-      for (const Place& place : kPlaces) {
-        const double shift = place.anchor[0] == 's' ? 0 : place.anchor[0] == 'e' ? -width : -0.5 * width;
-        const double left = x + place.dx + shift;
-        const Box box{left, y + place.dy - kHalfHeight, left + width, y + place.dy + kHalfHeight};
-        const bool inside = box.left > kLeft && box.right < kRight && box.top > kTop && box.bottom < kBottom;
-        if (!inside || std::ranges::any_of(taken_, [&](const Box& other) { return box.overlaps(other); })) continue;
-        taken_.push_back(box);
-        text(x + place.dx, y + place.dy + 4, series.label, "label", place.anchor);
-        break;
-      }
+      if (last != series.points.rend()) label(*last, series.label);
+    }
+  }
+
+  /// Left out where there is no place for it.
+  void label(const PlotPoint& p, const std::string& content) {
+    if (content.empty()) return;
+    const double x = axes_.atX(p.x);
+    const double y = axes_.atY(p.y);
+    const double width = 6.2 * static_cast<double>(content.size());  // of a letter at 11 px, on average
+    constexpr double kHalfHeight = 7;
+    struct Place {
+      double dx;
+      double dy;
+      const char* anchor;
+    };
+    constexpr std::array<Place, 8> kPlaces{{{9, 0, "start"},
+                                            {-9, 0, "end"},
+                                            {0, -13, "middle"},
+                                            {0, 14, "middle"},
+                                            {8, -12, "start"},
+                                            {8, 13, "start"},
+                                            {-8, -12, "end"},
+                                            {-8, 13, "end"}}};
+    for (const Place& place : kPlaces) {
+      const double shift = place.anchor[0] == 's' ? 0 : place.anchor[0] == 'e' ? -width : -0.5 * width;
+      const double left = x + place.dx + shift;
+      const Box box{left, y + place.dy - kHalfHeight, left + width, y + place.dy + kHalfHeight};
+      const bool inside = box.left > kLeft && box.right < kRight && box.top > kTop && box.bottom < kBottom;
+      if (!inside || std::ranges::any_of(taken_, [&](const Box& other) { return box.overlaps(other); })) continue;
+      taken_.push_back(box);
+      text(x + place.dx, y + place.dy + 4, content, "label", place.anchor);
+      return;
     }
   }
 
@@ -346,6 +340,7 @@ class Drawing {
   const ScatterPlot& plot_;
   Axes axes_;
   std::ostringstream out_;
+  std::vector<PlotPoint> front_;
   std::vector<Box> taken_;  ///< Where labels would cover something.
 };
 
@@ -363,16 +358,41 @@ std::vector<PlotPoint> paretoFront(const std::vector<PlotPoint>& points) {
 
 std::vector<double> logarithmicTicks(double low, double high) {
   SLUICE_CHECK(low > 0 && high >= low);
-  // Over a longer range ticks at every 2 and 5 crowd the axis.
-  const bool dense = std::log10(high / low) <= 2.5;
+  // As many as stand apart along an axis: ticks at every 2 and 5 crowd a longer range.
+  constexpr double kFew = 2.5;  // powers of ten
+  constexpr double kOne = 0.75;
+  const double powers = std::log10(high / low);
+  std::vector<double> digits{1};
+  if (powers <= kFew) digits = {1, 2, 5};
+  if (powers <= kOne) digits = {1, 1.5, 2, 3, 4, 5, 6, 8};
   std::vector<double> ticks;
   for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10, power) <= high; ++power) {
-    for (const double digit : {1.0, 2.0, 5.0}) {
+    for (const double digit : digits) {
       const double tick = digit * std::pow(10, power);
-      if (tick >= low && tick <= high && (dense || digit == 1.0)) ticks.push_back(tick);
+      if (tick >= low && tick <= high) ticks.push_back(tick);
     }
   }
   return ticks;
+}
+
+std::string tickText(double tick) {
+  std::ostringstream out;
+  if (tick >= 1e6) {
+    out << tick / 1e6 << " M";
+  } else if (tick >= 1e4) {
+    out << tick / 1e3 << " k";
+  } else if (tick >= 1e-3) {
+    out << tick;
+  } else {
+    constexpr std::array kSuperscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    // A hair is added, for powers of ten that rounding has put just below.
+    const int power = static_cast<int>(std::floor(std::log10(tick) + 1e-9));
+    const double digit = tick / std::pow(10, power);
+    if (std::abs(digit - 1) > 1e-6) out << digit << "·";
+    out << "10⁻";
+    for (const char c : std::to_string(-power)) out << kSuperscripts[static_cast<std::size_t>(c - '0')];
+  }
+  return out.str();
 }
 
 std::string drawSvg(const ScatterPlot& plot) { return Drawing(plot).draw(); }

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
@@ -170,6 +171,33 @@ TEST_F(Evaluate, StabilityFailsWhereACaseDoes) {
   EXPECT_GE(cases.size(), 40U);
   EXPECT_EQ(outcome.exitCode, passed ? 0 : 1);
   EXPECT_EQ(json["failures"].empty(), passed);
+}
+
+TEST_F(Evaluate, StabilityTellsEveryOutcomeAndGoesOnWhereItWasCutOff) {
+  const Outcome whole = evaluate({"stability", "--only", "tension"});
+  ASSERT_EQ(whole.exitCode, 0) << whole.err;
+  EXPECT_THAT(whole.err, HasSubstr("[#####"));
+  const Json rows = lastLine(whole)["rows"];
+  for (const Json& row : rows) {
+    EXPECT_THAT((std::set<std::string>{"stable", "recovered", "stopped"}), testing::Contains(row["outcome"])) << row;
+  }
+
+  // As if it had been cut off in its fourth run, and with a mark on the first.
+  const std::filesystem::path file = folder_ / "stability_runs.jsonl";
+  std::vector<std::string> lines;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  ASSERT_GT(lines.size(), 4U);
+  Json first = Json::parse(lines[0]);
+  first["rows"][0]["message"] = "marked";
+  std::ofstream(file, std::ios::trunc) << first.dump() << "\n" << lines[1] << "\n" << lines[2] << "\n{\"run\":\"full";
+
+  const Outcome resumed = evaluate({"stability", "--only", "tension", "--resume"});
+  ASSERT_EQ(resumed.exitCode, 0) << resumed.err;
+  const Json again = lastLine(resumed)["rows"];
+  ASSERT_EQ(again.size(), rows.size());
+  EXPECT_EQ(again[0]["message"], "marked") << "what is done is not done again";
+  for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(again[i], rows[i]);
 }
 
 TEST_F(Evaluate, UnknownNamesAreRefused) {

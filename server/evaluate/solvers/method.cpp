@@ -94,6 +94,8 @@ Method defaultMethod(SolverKind kind) {
   }
 }
 
+bool isDefault(const Method& method) { return method.text() == defaultMethod(method.kind).text(); }
+
 std::vector<Method> solverMethods(bool quick) {
   std::vector<Method> methods;
   for (const SolverKind kind : kKinds) {

@@ -32,5 +32,6 @@ std::vector<Method> solverMethods(bool quick);
 
 /// A solver at its default.
 Method defaultMethod(SolverKind kind);
+bool isDefault(const Method& method);
 
 }  // namespace sluice::evaluate

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "scatter_plot.h"
+#include "solvers/method.h"
 
 namespace sluice::evaluate {
 
@@ -20,6 +21,22 @@ std::vector<Row> rowsOf(const std::vector<Row>& rows, const std::string& caseNam
 std::string title(const Row& row) {
   return row.text("setting") + ", d = " + shortText(row.number("spacing")) + " m, " +
          shortText(row.number("wall_seconds")) + " s: " + shortText(row.number("error"));
+}
+
+/// Norms that are no lengths are shares of something.
+std::string withUnit(const std::string& norm) { return norm.ends_with(", m") ? norm : norm + " (1 is 100 %)"; }
+
+/// Whether a run's setting is its solver's default, less exact, or more.
+PlotSeries::Fill fillOf(const Row& row) {
+  // Settings come from the least exact to the most exact.
+  PlotSeries::Fill fill = PlotSeries::Fill::Dot;
+  for (const Method& method : solverMethods(false)) {
+    if (method.solver() != row.text("solver")) continue;
+    if (isDefault(method)) fill = PlotSeries::Fill::Solid;
+    if (method.text() == row.text("setting")) return fill;
+    if (isDefault(method)) fill = PlotSeries::Fill::Ring;
+  }
+  return PlotSeries::Fill::Solid;
 }
 
 /// The rows of a norm that no other of the same case beats in both time and error, by rising time.
@@ -64,9 +81,9 @@ std::string solverPlot(const std::vector<Row>& rows, const std::string& caseName
                        const std::string& machine) {
   ScatterPlot plot;
   plot.title = caseName + ": error against run time";
-  plot.subtitle = machine;
+  plot.subtitle = machine + "; a line joins the resolutions of a setting";
   plot.xLabel = "run time, s";
-  plot.yLabel = norm;
+  plot.yLabel = withUnit(norm);
   plot.paretoFront = true;
   std::vector<std::string> solvers;
   std::vector<std::string> settings;
@@ -80,11 +97,16 @@ std::string solverPlot(const std::vector<Row>& rows, const std::string& caseName
       PlotSeries series;
       series.name = row.text("solver");
       series.colour = static_cast<int>(solver - solvers.begin());
+      series.fill = fillOf(row);
       plot.series.push_back(std::move(series));
     }
     PlotSeries& series = plot.series[static_cast<std::size_t>(setting - settings.begin())];
-    series.points.push_back({row.number("wall_seconds"), row.number("error"), title(row)});
+    series.points.push_back({row.number("wall_seconds"), row.number("error"), title(row),
+                             row.text("setting") + ", d = " + shortText(1e3 * row.number("spacing")) + " mm"});
   }
+  const bool sweeps =
+      std::ranges::any_of(plot.series, [](const PlotSeries& series) { return series.fill != PlotSeries::Fill::Solid; });
+  if (sweeps) plot.fillKey = {"default setting", "more exact", "less exact"};
   return drawSvg(plot);
 }
 

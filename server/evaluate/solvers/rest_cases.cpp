@@ -46,11 +46,11 @@ class MeanPressure {
   int count_ = 0;
 };
 
-/// A column 1 m high at rest in a tank half as wide, p = ρ0 g (H - y).
+/// A column 1 m high at rest in a tank half as wide, narrower where 25 particles are, p = ρ0 g (H - y).
 std::vector<Finding> settle(Run& run, bool warmStart) {
   const int layers = run.resolution();
   const double spacing = 1.0 / layers;
-  const int columns = layers / 2;
+  const int columns = std::min(layers / 2, 25);
   v1::Simulation simulation = planarScene(spacing, {0, 0, (columns + 1) * spacing, 1.5});
   simulation.mutable_gravity()->set_y(-kGravity);
   simulation.mutable_fluids(0)->clear_viscosity();
@@ -95,13 +95,19 @@ std::vector<Finding> settle(Run& run, bool warmStart) {
 std::vector<Finding> warmColumn(Run& run) { return settle(run, true); }
 std::vector<Finding> coldColumn(Run& run) { return settle(run, false); }
 
-bool startsWarm(const Method& method) { return method.kind == SolverKind::Dfsph; }
+/// The deepest columns take weakly compressible solvers so many steps that their default alone is affordable.
+bool isAffordable(const Method& method, int layers) {
+  constexpr int kDeep = 100;
+  return method.courant == 0 || layers < kDeep || isDefault(method);
+}
+
+bool startsWarm(const Method& method, int) { return method.kind == SolverKind::Dfsph; }
 
 }  // namespace
 
 std::vector<Case> restCases() {
   return {{"free fall", {250, 1000}, {125, 250, 500, 1000}, everySolver, freeFall},
-          {"hydrostatic column", {25, 50}, {25, 50, 100, 200}, everySolver, warmColumn},
+          {"hydrostatic column", {25, 50}, {25, 50, 100, 200}, isAffordable, warmColumn},
           {"hydrostatic column, cold starts", {25, 50}, {25, 50, 100, 200}, startsWarm, coldColumn}};
 }
 

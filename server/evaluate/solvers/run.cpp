@@ -9,11 +9,15 @@
 
 namespace sluice::evaluate {
 
-void Run::start(v1::Simulation simulation) {
-  choose(simulation, method_);
-  v1::Scene scene;
-  *scene.mutable_simulation() = simulation;
+void Run::start(v1::Scene scene) {
+  choose(*scene.mutable_simulation(), method_);
   adopt(sim::makeSimulation(scene, threads_));
+}
+
+void Run::start(v1::Simulation simulation) {
+  v1::Scene scene;
+  *scene.mutable_simulation() = std::move(simulation);
+  start(std::move(scene));
 }
 
 void Run::start(v1::Simulation simulation, sim::Experiment experiment) {
@@ -49,8 +53,8 @@ bool Run::runTo(double seconds, const std::function<void(const core::ParticleSou
 const std::vector<Case>& solverCases() {
   static const std::vector<Case> cases = [] {
     std::vector<Case> all;
-    for (auto* family :
-         {restCases, viscousCases, damBreakCases, freeSurfaceCases, tensionCases, waveCases, conservationCases}) {
+    for (auto* family : {restCases, viscousCases, damBreakCases, boxImpactCases, freeSurfaceCases, tensionCases,
+                         waveCases, conservationCases}) {
       std::ranges::move(family(), std::back_inserter(all));
     }
     return all;

@@ -8,6 +8,7 @@
 
 #include "sluice/core/particle_source.h"
 #include "sluice/sim/experiment.h"
+#include "sluice/v1/scene.pb.h"
 #include "solvers/method.h"
 
 namespace sluice::evaluate {
@@ -29,6 +30,7 @@ class Run {
   int resolution() const { return resolution_; }
 
   /// Sets the scene's solver, and starts it.
+  void start(v1::Scene scene);
   void start(v1::Simulation simulation);
   void start(v1::Simulation simulation, sim::Experiment experiment);
 
@@ -63,9 +65,10 @@ class Run {
 /// A flow whose course is known. Adding one means a Case in the file of its family and its line in solverCases().
 struct Case {
   std::string_view name;
-  std::vector<int> quick;                 ///< Resolutions of a quick sweep, rising; empty: only in a full one.
-  std::vector<int> full;                  ///< Of a full one.
-  bool (*applies)(const Method& method);  ///< Whether a solver can run it at all.
+  std::vector<int> quick;  ///< Resolutions of a quick sweep, rising; empty: only in a full one.
+  std::vector<int> full;   ///< Of a full one.
+  /// Whether a solver can run it at all, and at that resolution in the hour that a full sweep may take.
+  bool (*applies)(const Method& method, int resolution);
   std::vector<Finding> (*run)(Run& run);  ///< Findings of a run that came to its end; none where it halted.
 };
 
@@ -79,10 +82,11 @@ std::vector<Case> restCases();          ///< Free fall, hydrostatic columns.
 std::vector<Case> viscousCases();       ///< Poiseuille, Couette, Taylor–Green.
 std::vector<Case> freeSurfaceCases();   ///< Rotating square, elliptic drop, oscillating drop.
 std::vector<Case> damBreakCases();      ///< Dam break.
+std::vector<Case> boxImpactCases();     ///< Dam break against a box.
 std::vector<Case> tensionCases();       ///< Droplets.
 std::vector<Case> waveCases();          ///< Standing wave.
 std::vector<Case> conservationCases();  ///< Momentum, angular momentum, energy.
 
-inline bool everySolver(const Method&) { return true; }
+inline bool everySolver(const Method&, int) { return true; }
 
 }  // namespace sluice::evaluate

@@ -29,6 +29,12 @@ bool repeats(const Case& solverCase, const Method& method, const std::vector<Job
          });
 }
 
+/// The finest of several resolutions takes most of a sweep's time: there defaults alone run, to keep to an hour.
+bool isTooLong(const std::vector<int>& resolutions, std::size_t level, const Method& method) {
+  constexpr std::size_t kSeveral = 3;
+  return resolutions.size() >= kSeveral && level + 1 == resolutions.size() && !isDefault(method);
+}
+
 /// Coarse runs of all cases first, so that a study that is cut off has something of everything.
 std::vector<Job> jobsOf(const Options& options) {
   std::vector<Job> jobs;
@@ -41,7 +47,9 @@ std::vector<Job> jobsOf(const Options& options) {
       const std::vector<int>& resolutions = options.quick ? c.quick : c.full;
       if (level >= resolutions.size()) continue;
       for (const Method& method : methods) {
-        if (c.applies(method) && !repeats(c, method, jobs)) jobs.push_back({&c, method, resolutions[level]});
+        if (!c.applies(method, resolutions[level]) || repeats(c, method, jobs)) continue;
+        if (isTooLong(resolutions, level, method)) continue;
+        jobs.push_back({&c, method, resolutions[level]});
       }
     }
   }
@@ -130,8 +138,9 @@ Report runSolversStudy(const Options& options) {
   Progress progress(options, jobs.size());
   std::vector<Row> rows;
   for (const Job& job : jobs) {
-    progress.begin(job.key());
-    if (store.find(job.key()) == nullptr) store.add(job.key(), measure(job, options.threads));
+    const bool kept = store.find(job.key()) != nullptr;
+    progress.begin(job.key(), kept);
+    if (!kept) store.add(job.key(), measure(job, options.threads));
     std::ranges::copy(*store.find(job.key()), std::back_inserter(rows));
   }
   // By case again, as they were listed.

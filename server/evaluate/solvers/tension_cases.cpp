@@ -103,7 +103,7 @@ std::vector<Finding> akinciLaplace(Run& run) { return laplacePressure(run, Model
 std::vector<Finding> heLaplace(Run& run) { return laplacePressure(run, Model::He); }
 
 /// Where positions are corrected after the forces, the pressures of a step are not those that balance them.
-bool hasPressures(const Method& method) { return method.kind != SolverKind::Pbf; }
+bool hasPressures(const Method& method, int) { return method.kind != SolverKind::Pbf; }
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ enum class Fate {
   Recovered,  ///< By shorter steps than the first that was tried.
   Stopped,    ///< With a message, its last good state kept.
   Refused,    ///< Before it began, with a message.
-  Bursts,     ///< Faster than what drives it can make it.
+  Bursts,     ///< Faster, or of more energy, than what drives it can make it, or a body out of the container, without a
+              ///< message.
   NotFinite,  ///< Never right.
 };
 
@@ -28,8 +30,11 @@ struct SolverOutcome {
   double compression = 0;   ///< Largest compression of any particle.
   double iterations = 0;    ///< Of the pressure solves, a step.
   double shortestStep = 0;  ///< s.
+  /// The particles at the end; null where there was no beginning.
+  std::shared_ptr<const core::ParticleSnapshot> end = {};
 
-  std::string text() const;  ///< "stable", "recovered by smaller steps", "stopped: …".
+  std::string word() const;  ///< "stable", "recovered", "stopped" (or refused), "bursts", "not finite".
+  std::string text() const;  ///< The word with its reason: "stopped: …".
 };
 
 /// What a solver is given: a scene, and an experiment unless it has none.
@@ -37,15 +42,19 @@ struct Trial {
   v1::Simulation simulation;
   sim::Experiment experiment;
   bool isExperiment = true;
-  int steps = 100;
+  std::vector<v1::Body> bodies = {};  ///< Of what is no experiment.
+  int steps = 100;                    ///< At most.
+  double seconds = 0;  ///< To run to, s, so that solvers of short steps see as much as others; 0: all of the steps.
   /// Speed that nothing in it can have unless it bursts, m/s.
   double speedLimit = 1e30;
+  /// Mean kinetic energy of the fluid, J/kg, that nothing in it can give: what is there to begin with, and falls.
+  double energyLimit = 1e30;
   std::function<void(core::ParticleSource&)> halfWay = {};  ///< Called after half of the steps.
 };
 
 SolverOutcome attempt(Trial trial, const Method& method, int threads);
 
-/// case, solver, outcome, fastest, compression, iterations_per_step, shortest_step, value, limit, passed.
+/// case, solver, outcome (a word), message, fastest, compression, iterations_per_step, shortest_step, passed.
 Row toRow(const std::string& caseName, const std::string& solver, const SolverOutcome& outcome, bool passed);
 
 }  // namespace sluice::evaluate

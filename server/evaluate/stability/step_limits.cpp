@@ -164,15 +164,13 @@ double latticeAcousticLimit() {
   return 2 / fastest;
 }
 
-std::vector<Row> stepLimits(const Options& options) {
-  std::vector<Row> rows;
-  options.tell("longest steps");
-  rows.push_back(acousticLimit(SolverKind::Wcsph, options.threads));
-  rows.push_back(acousticLimit(SolverKind::DeltaSph, options.threads));
-  rows.push_back(viscousLimit(options.threads));
-  rows.push_back(tensionLimit(false, options.threads));
-  rows.push_back(tensionLimit(true, options.threads));
-  return rows;
+std::vector<StabilityJob> limitJobs(int threads) {
+  const auto one = [](Row row) { return std::vector<Row>{std::move(row)}; };
+  return {{"longest step, sound, wcsph", [=] { return one(acousticLimit(SolverKind::Wcsph, threads)); }},
+          {"longest step, sound, delta_sph", [=] { return one(acousticLimit(SolverKind::DeltaSph, threads)); }},
+          {"longest step, explicit viscosity", [=] { return one(viscousLimit(threads)); }},
+          {"longest step, tension, akinci2013", [=] { return one(tensionLimit(false, threads)); }},
+          {"longest step, tension, he2014", [=] { return one(tensionLimit(true, threads)); }}};
 }
 
 }  // namespace sluice::evaluate

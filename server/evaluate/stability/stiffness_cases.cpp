@@ -1,32 +1,15 @@
 #include "stability/stiffness_cases.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "machine.h"
-#include "scatter_plot.h"
 #include "solvers/scenes.h"
-#include "stability/solver_outcome.h"
 
 namespace sluice::evaluate {
 
 namespace {
 
 constexpr double kGravity = 9.81;
-
-/// A column of water of spacing 0.02 m at rest in a tank ten particles wide.
-Trial column(int layers) {
-  constexpr double kSpacing = 0.02;
-  constexpr int kColumns = 10;
-  Trial trial;
-  trial.simulation = planarScene(kSpacing, {0, 0, (kColumns + 1) * kSpacing, kSpacing * (1.3 * layers + 2)});
-  trial.simulation.mutable_gravity()->set_y(-kGravity);
-  trial.simulation.mutable_fluids(0)->set_viscosity(1e-3);
-  trial.experiment.positions = block(kSpacing, 1, kColumns, layers);
-  // What its whole height falls to.
-  trial.speedLimit = std::sqrt(2 * kGravity * kSpacing * layers);
-  return trial;
-}
 
 /// A lattice in a periodic box that is sheared by up to 1 m/s, in implicit steps of `number` h²/ν.
 Trial shear(double number) {
@@ -67,149 +50,100 @@ Trial fallen() {
   return trial;
 }
 
-Trial tenfoldStep() {
-  Trial trial = column(25);
-  trial.simulation.mutable_time_step()->set_max_seconds(5e-4);
-  trial.steps = 200;
-  return trial;
-}
-
-/// A square that turns at 1 rad/s: held together by pressures below 0 alone.
-Trial turningSquare(bool negativePressure) {
+/// A disc under tension that pulls 1000 times as hard as water's, in steps of up to ten times what Brackbill et al.
+/// 1992 allow it.
+Trial tenfoldTensionStep(bool he) {
   constexpr double kSpacing = 0.05;
+  constexpr double kTension = 73;
+  constexpr double kDensity = 1000;
   Trial trial;
-  trial.simulation = planarScene(kSpacing, {-3, -3, 3, 3});
-  setSpeedOfSound(trial.simulation, 10, negativePressure);
-  trial.experiment.positions = latticePoints(
-      0.5, 0.5, kSpacing, [](const Eigen::Vector3d& x) { return std::abs(x.x()) < 0.5 && std::abs(x.y()) < 0.5; });
-  for (const Eigen::Vector3d& x : trial.experiment.positions)
-    trial.experiment.velocities.emplace_back(x.y(), -x.x(), 0);
-  trial.speedLimit = 2;
-  trial.steps = 400;
+  trial.simulation = planarScene(kSpacing, {-2, -2, 2, 2});
+  trial.simulation.mutable_surface_tension()->set_tension(kTension);
+  if (he) trial.simulation.mutable_surface_tension()->mutable_he2014();
+  // The smoothing length of the default kernel is a spacing.
+  const double bound = 0.25 * std::sqrt(kDensity * std::pow(kSpacing, 3) / (2 * std::numbers::pi * kTension));
+  trial.simulation.mutable_time_step()->set_max_seconds(10 * bound);
+  trial.experiment.positions =
+      latticePoints(0.5, 0.5, kSpacing, [](const Eigen::Vector3d& x) { return x.norm() < 0.5; });
+  // Of capillary waves as short as a spacing.
+  const double speed = std::sqrt(2 * std::numbers::pi * kTension / (kDensity * kSpacing));
+  setSpeedOfSound(trial.simulation, 10 * speed, true);
+  trial.speedLimit = 2 * speed;
+  trial.seconds = 100 * bound;
+  trial.steps = 5000;
   return trial;
 }
 
-bool isWeaklyCompressible(const Method& method) { return method.courant > 0; }
-
-bool sound(const SolverOutcome& outcome) {
-  return outcome.fate == Fate::Stable || outcome.fate == Fate::Recovered || outcome.fate == Fate::Stopped;
+void addTenfoldStep(std::vector<StabilityJob>& jobs, int threads) {
+  for (const Method& method : solverMethods(true)) {
+    Trial trial = column(25);
+    trial.simulation.mutable_time_step()->set_max_seconds(5e-4);
+    trial.seconds = 0;
+    trial.steps = 200;
+    v1::Scene longer;
+    *longer.mutable_simulation() = trial.simulation;
+    choose(*longer.mutable_simulation(), method);
+    longer.mutable_simulation()->mutable_time_step()->set_max_seconds(5e-3);
+    trial.halfWay = [longer](core::ParticleSource& source) { source.update(longer); };
+    jobs.push_back(solverJob("a step ten times as long as the last", trial, method, threads));
+  }
 }
 
-class StiffnessCases {
- public:
-  explicit StiffnessCases(const Options& options) : options_(options) {}
-
-  std::vector<Row> run() {
-    for (const int layers : options_.quick ? std::vector<int>{25, 50} : std::vector<int>{25, 50, 100, 200}) {
-      all("cold column of " + std::to_string(layers) + " layers", column(layers));
-    }
-    for (const double number :
-         options_.quick ? std::vector<double>{1e-2, 1e4} : std::vector<double>{1e-2, 1, 1e2, 1e4}) {
-      all("implicit viscosity, nu dt/d^2 = " + shortText(number), shear(number));
-    }
-    all("a block that has fallen 100 m", fallen());
-    jump();
-    fasterSound();
-    tension();
-    return std::move(rows_);
-  }
-
- private:
-  void all(const std::string& name, const Trial& trial) {
-    options_.tell(name);
-    for (const Method& method : solverMethods(true)) add(name, trial, method);
-  }
-
-  void add(const std::string& name, const Trial& trial, const Method& method) {
-    const SolverOutcome outcome = attempt(trial, method, options_.threads);
-    rows_.push_back(toRow(name, method.solver(), outcome, sound(outcome)));
-  }
-
-  void jump() {
-    options_.tell("a step ten times as long");
+void addColumns(std::vector<StabilityJob>& jobs, int threads) {
+  for (const int layers : {25, 50, 100, 200}) {
+    const std::string height = "column of " + std::to_string(layers) + " layers";
+    Trial cold = column(layers);
+    cold.simulation.mutable_dfsph()->set_warm_start(false);
     for (const Method& method : solverMethods(true)) {
-      Trial trial = tenfoldStep();
-      trial.halfWay = [&](core::ParticleSource& source) {
-        v1::Scene scene;
-        *scene.mutable_simulation() = trial.simulation;
-        choose(*scene.mutable_simulation(), method);
-        scene.mutable_simulation()->mutable_time_step()->set_max_seconds(5e-3);
-        source.update(scene);
-      };
-      add("a step ten times as long as the last", trial, method);
+      const bool startsWarm = method.kind == SolverKind::Dfsph;
+      jobs.push_back(solverJob(height + (startsWarm ? ", warm starts" : ""), column(layers), method, threads));
+      if (startsWarm) jobs.push_back(solverJob(height + ", cold starts", cold, method, threads));
     }
   }
+}
 
-  void fasterSound() {
-    for (const Method& method : solverMethods(true)) {
-      if (!isWeaklyCompressible(method)) continue;
-      Trial trial = column(25);
-      // Ten times what 0 takes, ten times √(2 g H).
-      setSpeedOfSound(trial.simulation, 100 * trial.speedLimit, false);
-      trial.steps = 1000;
-      add("sound ten times as fast", trial, method);
-    }
+void addFasterSound(std::vector<StabilityJob>& jobs, int threads) {
+  for (const Method& method : solverMethods(true)) {
+    if (method.courant == 0) continue;
+    Trial trial = column(25);
+    // Ten times what 0 takes, ten times √(2 g H).
+    setSpeedOfSound(trial.simulation, 100 * trial.speedLimit, false);
+    trial.seconds = 0;
+    trial.steps = 1000;
+    jobs.push_back(solverJob("sound ten times as fast", trial, method, threads));
   }
-
-  /// Where p ≥ 0 is clamped nothing holds the square: particles fly straight on. Shown, not hidden.
-  void tension() {
-    for (const Method& method : solverMethods(true)) {
-      const bool clamps = !isWeaklyCompressible(method);
-      SolverOutcome outcome = attempt(turningSquare(true), method, options_.threads);
-      Row row = toRow("rotating square, pressures below 0", method.solver(), outcome, sound(outcome));
-      if (clamps) row.set("outcome", "comes apart: pressures below 0 are clamped (" + outcome.text() + ")");
-      rows_.push_back(std::move(row));
-      if (!clamps) add("rotating square, pressures clamped at 0", turningSquare(false), method);
-    }
-  }
-
-  const Options& options_;
-  std::vector<Row> rows_;
-};
+}
 
 }  // namespace
 
-std::vector<Row> stiffnessStability(const Options& options) { return StiffnessCases(options).run(); }
+Trial column(int layers) {
+  constexpr double kSpacing = 0.02;
+  // Wide enough that particles in the middle see no wall; a deep one is made no wider, to stay cheap.
+  const int columns = layers < 100 ? 10 : 6;
+  Trial trial;
+  trial.simulation = planarScene(kSpacing, {0, 0, (columns + 1) * kSpacing, kSpacing * (1.3 * layers + 2)});
+  trial.simulation.mutable_gravity()->set_y(-kGravity);
+  trial.simulation.mutable_fluids(0)->set_viscosity(1e-3);
+  trial.experiment.positions = block(kSpacing, 1, columns, layers);
+  // What its whole height falls to.
+  trial.speedLimit = std::sqrt(2 * kGravity * kSpacing * layers);
+  trial.seconds = 0.5;
+  trial.steps = 10000;
+  return trial;
+}
 
-std::vector<Document> stabilityMaps(const Options& options, std::vector<Row>& rows) {
-  const std::vector<int> heights = options.quick ? std::vector<int>{10, 40} : std::vector<int>{10, 20, 40, 80, 160};
-  const std::vector<double> steps = options.quick ? std::vector<double>{5e-4, 4e-3}
-                                                  : std::vector<double>{1.25e-4, 2.5e-4, 5e-4, 1e-3, 2e-3, 4e-3, 8e-3};
-  std::vector<Document> maps;
-  for (const Method& method : solverMethods(true)) {
-    options.tell("map of " + method.solver());
-    ScatterPlot plot;
-    plot.title = method.text() + ": columns by height and step";
-    plot.subtitle = processorName();
-    plot.xLabel = "layers of particles";
-    plot.yLabel = "step, s";
-    plot.fillKey = {"stable", "recovered by smaller steps", "stopped or bursts"};
-    PlotSeries series[3];
-    for (int k = 0; k < 3; ++k) {
-      series[k].name = plot.fillKey[static_cast<std::size_t>(k)];
-      series[k].line = false;
-      series[k].colour = k;
-      series[k].fill = static_cast<PlotSeries::Fill>(k);
-    }
-    for (const int layers : heights) {
-      for (const double step : steps) {
-        Trial trial = column(layers);
-        trial.experiment.forcedStep = step;
-        trial.steps = 60;
-        const SolverOutcome outcome = attempt(trial, method, options.threads);
-        const int kind = outcome.fate == Fate::Stable ? 0 : outcome.fate == Fate::Recovered ? 1 : 2;
-        series[kind].points.push_back({static_cast<double>(layers), step, outcome.text()});
-        Row row = toRow("map: " + std::to_string(layers) + " layers, steps of " + shortText(step) + " s",
-                        method.solver(), outcome, outcome.fate != Fate::NotFinite);
-        rows.push_back(std::move(row));
-      }
-    }
-    for (PlotSeries& s : series) {
-      if (!s.points.empty()) plot.series.push_back(std::move(s));
-    }
-    maps.push_back({"stability_map_" + method.solver() + ".svg", drawSvg(plot)});
+std::vector<StabilityJob> stiffnessJobs(bool quick, int threads) {
+  std::vector<StabilityJob> jobs;
+  addColumns(jobs, threads);
+  for (const double number : quick ? std::vector<double>{1e-2, 1e4} : std::vector<double>{1e-2, 1, 1e2, 1e4}) {
+    addForEverySolver(jobs, "implicit viscosity, nu dt/d^2 = " + shortText(number), shear(number), threads);
   }
-  return maps;
+  addForEverySolver(jobs, "a block that has fallen 100 m", fallen(), threads);
+  addTenfoldStep(jobs, threads);
+  addForEverySolver(jobs, "tension in steps of up to 10 dt, akinci2013", tenfoldTensionStep(false), threads);
+  addForEverySolver(jobs, "tension in steps of up to 10 dt, he2014", tenfoldTensionStep(true), threads);
+  addFasterSound(jobs, threads);
+  return jobs;
 }
 
 }  // namespace sluice::evaluate

@@ -2,16 +2,16 @@
 
 #include <vector>
 
-#include "sluice/evaluate/report.h"
-#include "sluice/evaluate/study.h"
+#include "stability/stability_job.h"
 
 namespace sluice::evaluate {
 
-/// What makes a step hard: deep columns from a cold start, sound ten times as fast, viscosity up to 10⁴ h² a step, a
-/// step ten times as long as the last, a fall from 100 m, and pressures below 0 that most solvers clamp.
-std::vector<Row> stiffnessStability(const Options& options);
+/// What makes a step hard, with every solver: deep columns, cold and (DFSPH) warm; sound ten times as fast; viscosity
+/// up to 10⁴ d² a step; a step ten times as long as the last; steps of up to ten times what tension allows; a fall from
+/// 100 m.
+std::vector<StabilityJob> stiffnessJobs(bool quick, int threads);
 
-/// Columns of rising height in steps of rising length: which solver bears what. A plot for each solver.
-std::vector<Document> stabilityMaps(const Options& options, std::vector<Row>& rows);
+/// A column of water at rest, ten particles of 0.02 m wide, or six from 100 layers on.
+Trial column(int layers);
 
 }  // namespace sluice::evaluate

@@ -29,6 +29,27 @@ TEST(ScatterPlot, FrontHoldsWhatNothingBeats) {
 TEST(ScatterPlot, TicksAreRoundAndWithin) {
   EXPECT_THAT(logarithmicTicks(0.9, 25), ElementsAre(1, 2, 5, 10, 20));
   EXPECT_THAT(logarithmicTicks(0.5, 5e4), ElementsAre(1, 10, 100, 1000, 10000));
+  EXPECT_THAT(logarithmicTicks(0.9, 2.1), ElementsAre(1, 1.5, 2));
+}
+
+TEST(ScatterPlot, TicksAreWrittenForPeople) {
+  EXPECT_EQ(tickText(0.05), "0.05");
+  EXPECT_EQ(tickText(20000), "20 k");
+  EXPECT_EQ(tickText(2e6), "2 M");
+  EXPECT_EQ(tickText(1e-8), "10⁻⁸");
+  EXPECT_EQ(tickText(5e-12), "5·10⁻¹²");
+}
+
+TEST(ScatterPlot, LabelsTheFrontAlone) {
+  ScatterPlot plot;
+  plot.paretoFront = true;
+  PlotSeries series;
+  series.points = {{1, 5, {}, "fast"}, {3, 1, {}, "close"}, {10, 10, {}, "beaten"}};
+  plot.series = {series};
+  const std::string svg = drawSvg(plot);
+  EXPECT_THAT(svg, HasSubstr(">fast<"));
+  EXPECT_THAT(svg, HasSubstr(">close<"));
+  EXPECT_THAT(svg, Not(HasSubstr("beaten")));
 }
 
 TEST(ScatterPlot, DrawsEveryPointThatTheAxesHave) {

@@ -20,6 +20,7 @@ namespace sluice::evaluate {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Oscillation, FindsThePeriodBetweenSamples) {
   Oscillation signal;
@@ -101,6 +102,19 @@ TEST(ProgressBar, FillsUp) {
   EXPECT_EQ(progressBar(0, 4), "[--------------------]");
   EXPECT_EQ(progressBar(1, 4), "[#####---------------]");
   EXPECT_EQ(progressBar(4, 4), "[####################]");
+}
+
+TEST(Progress, TakesWhatIsLeftFromWhatItRan) {
+  std::vector<std::string> told;
+  Options options;
+  options.progress = [&](const std::string& text) { told.push_back(text); };
+  Progress progress(options, 4);
+  progress.begin("a", true);
+  progress.begin("b");
+  progress.begin("c");
+  ASSERT_EQ(told.size(), 3U);
+  EXPECT_THAT(told[1], Not(HasSubstr("left"))) << "a part that was kept says nothing about the others";
+  EXPECT_THAT(told[2], HasSubstr("[##########----------] 2 of 4, 0 s left: c"));
 }
 
 Row errorRow(double spacing, double error) {
