@@ -1,12 +1,14 @@
 // What the server spends on one streamed frame beyond rendering and encoding it: 1280×720 JPEG of about 150 KB, to one
-// viewer over the loopback that acknowledges each. The counters are processor time per frame: of the io thread, and of
-// the thread that hands the frames over (which serialises them).
+// viewer, and to 16, over the loopback, each of which acknowledges it. The counters are processor time per frame: of
+// the io thread, and of the thread that hands the frames over (which serialises them).
 #include <benchmark/benchmark.h>
 #include <pthread.h>
 #include <time.h>
 
+#include <memory>
 #include <semaphore>
 #include <thread>
+#include <vector>
 
 #include "sluice/stream/server.h"
 #include "viewer/test_viewer.h"
@@ -24,7 +26,7 @@ double threadSeconds(clockid_t clock) {
 // Lets the benchmark know when a frame was acknowledged, and does nothing else.
 class AcknowledgingBackend final : public stream::Backend {
  public:
-  std::counting_semaphore<> window{0};
+  std::counting_semaphore<4096> window{0};
 
   v1::Welcome welcome() override { return {}; }
   void join(core::ViewerId, const stream::Visitor&) override {}
@@ -42,48 +44,55 @@ class AcknowledgingBackend final : public stream::Backend {
   void snapshot(core::ViewerId, std::uint64_t, core::ImageSize, const std::optional<core::Camera>&) override {}
 };
 
+/// The argument: viewers that are sent each frame, as those who follow one view are.
 void streamFrames(benchmark::State& state) {
+  const auto viewers = static_cast<std::size_t>(state.range(0));
   AcknowledgingBackend backend;
   stream::ServerOptions options;
   options.port = 0;
+  options.maxViewers = options.maxViewersPerAddress = 64;
   stream::Server server(options, backend);
   std::thread io([&] { server.run(); });
   clockid_t ioClock{};
   pthread_getcpuclockid(io.native_handle(), &ioClock);
 
-  test::TestViewer viewer("127.0.0.1", server.port());
-  const core::ViewerId id = viewer.hello().viewer_id();
-  std::thread reading([&] {
-    try {
-      for (;;) viewer.nextFrame();
-    } catch (const test::ConnectionEnded&) {
-    }
-  });
+  std::vector<core::Delivery> deliveries(viewers);
+  std::vector<std::thread> reading;
+  for (core::Delivery& delivery : deliveries) {
+    auto viewer = std::make_shared<test::TestViewer>("127.0.0.1", server.port());
+    delivery.viewer = viewer->hello().viewer_id();
+    reading.emplace_back([viewer] {
+      try {
+        for (;;) viewer->nextFrame();
+      } catch (const test::ConnectionEnded&) {
+      }
+    });
+  }
 
-  core::Delivery delivery;
-  delivery.viewer = id;
   core::EncodedFrame frame;
   frame.size = {1280, 720};
   frame.codec = core::Codec::Jpeg;
   frame.bytes.assign(150'000, 0x5a);
-  backend.window.release(options.frameWindow);
+  backend.window.release(static_cast<std::ptrdiff_t>(options.frameWindow * viewers));
   const double ioBefore = threadSeconds(ioClock);
   const double senderBefore = threadSeconds(CLOCK_THREAD_CPUTIME_ID);
   for (auto _ : state) {
-    backend.window.acquire();
-    ++delivery.frameId;
-    server.sendFrame(frame, delivery);
+    for (core::Delivery& delivery : deliveries) {
+      backend.window.acquire();
+      ++delivery.frameId;
+      server.sendFrame(frame, delivery);
+    }
   }
-  const double frames = static_cast<double>(state.iterations());
-  state.counters["io_ms"] = 1000 * (threadSeconds(ioClock) - ioBefore) / frames;
-  state.counters["sender_ms"] = 1000 * (threadSeconds(CLOCK_THREAD_CPUTIME_ID) - senderBefore) / frames;
+  const double frames = static_cast<double>(state.iterations()) * static_cast<double>(viewers);
+  state.counters["io_ms_per_viewer"] = 1000 * (threadSeconds(ioClock) - ioBefore) / frames;
+  state.counters["sender_ms_per_viewer"] = 1000 * (threadSeconds(CLOCK_THREAD_CPUTIME_ID) - senderBefore) / frames;
 
   server.stop("the benchmark is over");
   io.join();
-  reading.join();
+  for (std::thread& thread : reading) thread.join();
 }
 
-BENCHMARK(streamFrames)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(streamFrames)->Arg(1)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 
