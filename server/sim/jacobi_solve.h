@@ -43,6 +43,11 @@ struct SolveOutcome {
 /// V_b ∇W_ib|² + Σ_j w_j |V_j ∇W_ij|². Floating bodies are unknowns like the particles: each iteration gives them the
 /// twists that its impulses leave them with (see BodyCoupling), so that a light body is as stable as a heavy one. The
 /// velocities handed back are those whose error was measured, not an iterate later.
+///
+/// Each iterate is extrapolated along the way from the last one [BT09: Beck & Teboulle 2009, A fast iterative
+/// shrinkage-thresholding algorithm], from the beginning again wherever that runs past the solution [OC15: O'Donoghue &
+/// Candès 2015, Adaptive restart for accelerated gradient schemes]: pressure crosses a column in about as many
+/// iterations as it has layers, where plain Jacobi takes their square.
 class JacobiSolve {
  public:
   /// `velocity` and `impulse` (the start of the iteration, m²/s) are replaced by the result. Particles whose `factor`
