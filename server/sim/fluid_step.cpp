@@ -70,6 +70,10 @@ double pressureSpeed(const ParticleState& state, double lastSeconds, const Team&
   return std::sqrt(std::sqrt(squares.sum / static_cast<double>(state.size())) / lastSeconds);
 }
 
+/// Waves shorten a step no further than to this share. What is left of an error of density costs a pressure that grows
+/// as steps get shorter, which would shorten them on and on.
+constexpr double kLeastWaveShare = 0.2;
+
 std::string reasonToHalt(double time, double shortest, const std::string& trouble) {
   std::ostringstream message;
   message << "the simulation stopped at " << time << " s: a step would have to be shorter than "
@@ -96,13 +100,21 @@ TimeStepInputs FluidSimulation::timeStepInputs() const {
 
 TimeStepChoice FluidSimulation::chooseLength() const {
   TimeStepInputs inputs = timeStepInputs();
-  // Where pressure acts by sound or by moving particles, steps are bounded otherwise or by nothing.
-  const bool solvesForPressure = inputs.speedOfSound == 0 && !solver_->movesParticles();
-  const double waves = solvesForPressure ? pressureSpeed(state_, lastStepSeconds_, team_) : 0;
-  const bool wavesAreFastest = waves > inputs.maxSpeed;
-  inputs.maxSpeed = std::max(inputs.maxSpeed, waves);
   TimeStepChoice choice = chooseTimeStep(settings_.time_step(), inputs);
-  if (wavesAreFastest && choice.limit == "cfl") choice.limit = "pressure";
+  // Where pressure acts by sound or by moving particles, steps are bounded otherwise or by nothing; where nothing
+  // bounds the fluid, no pressure is the right one.
+  const bool solvesForPressure = inputs.speedOfSound == 0 && !solver_->movesParticles() && !container_.periodic;
+  const double waves = solvesForPressure ? pressureSpeed(state_, lastStepSeconds_, team_) : 0;
+  if (waves > inputs.maxSpeed) {
+    inputs.maxSpeed = waves;
+    const TimeStepChoice shorter = chooseTimeStep(settings_.time_step(), inputs);
+    if (shorter.seconds < choice.seconds) {
+      const double least = kLeastWaveShare * choice.seconds;
+      choice = shorter;
+      choice.seconds = std::max(choice.seconds, least);
+      if (choice.limit == "cfl") choice.limit = "pressure";
+    }
+  }
   const double forced = options_.experiment ? options_.experiment->forcedStep : 0;
   if (forced > 0) {
     choice.seconds = std::min(forced, recoverySeconds_);
