@@ -15,7 +15,7 @@ void Outbox::release(WireMessage welcome) {
   held_ = false;
   if (closing_ || !welcome) return;
   replyBytes_ += welcome->size();
-  replies_.push_front({std::move(welcome), 0});
+  replies_.push_front({std::move(welcome), 0, 0});
 }
 
 SendResult Outbox::pushReply(WireMessage message, std::uint64_t inReplyTo) {
@@ -26,7 +26,7 @@ SendResult Outbox::pushReply(WireMessage message, std::uint64_t inReplyTo) {
     return SendResult::Overflow;
   }
   replyBytes_ += message->size();
-  replies_.push_back({std::move(message), inReplyTo});
+  replies_.push_back({std::move(message), inReplyTo, ++pushes_});
   return queued();
 }
 
@@ -34,7 +34,9 @@ SendResult Outbox::pushLatest(Latest kind, WireMessage message) {
   WireMessage replaced;  // Destroyed outside the lock.
   const std::lock_guard lock(mutex_);
   if (closing_) return SendResult::Gone;
-  replaced = std::exchange(latest_[static_cast<std::size_t>(kind)], std::move(message));
+  LatestMessage& slot = latest_[static_cast<std::size_t>(kind)];
+  if (!slot.message) slot.order = ++pushes_;
+  replaced = std::exchange(slot.message, std::move(message));
   return replaced ? SendResult::Replaced : queued();
 }
 
@@ -84,16 +86,11 @@ std::optional<Outbox::Item> Outbox::takeLocked() {
     return *closing_;
   }
   if (held_) return std::nullopt;
-  if (!replies_.empty()) {
-    Reply reply = std::move(replies_.front());
-    replies_.pop_front();
-    replyBytes_ -= reply.message->size();
-    std::erase(snapshots_, reply.inReplyTo);
-    return std::move(reply.message);
+  LatestMessage* latest = firstLatest();
+  if (latest != nullptr && (replies_.empty() || latest->order < replies_.front().order)) {
+    return std::exchange(latest->message, nullptr);
   }
-  for (WireMessage& message : latest_) {
-    if (message) return std::exchange(message, nullptr);
-  }
+  if (!replies_.empty()) return takeReply();
   if (!frames_.empty()) {
     QueuedFrame frame = std::move(frames_.front());
     frames_.pop_front();
@@ -101,6 +98,22 @@ std::optional<Outbox::Item> Outbox::takeLocked() {
     return std::move(frame.message);
   }
   return std::nullopt;
+}
+
+Outbox::LatestMessage* Outbox::firstLatest() {
+  LatestMessage* first = nullptr;
+  for (LatestMessage& slot : latest_) {
+    if (slot.message && (first == nullptr || slot.order < first->order)) first = &slot;
+  }
+  return first;
+}
+
+WireMessage Outbox::takeReply() {
+  Reply reply = std::move(replies_.front());
+  replies_.pop_front();
+  replyBytes_ -= reply.message->size();
+  std::erase(snapshots_, reply.inReplyTo);
+  return std::move(reply.message);
 }
 
 SendResult Outbox::queued() {

@@ -60,8 +60,9 @@ class Outbox {
   void close(CloseReason reason);
   bool closed() const;
 
-  /// What to send next: replies before latest-wins messages before frames. None: the writer is to wait, and the next
-  /// push that says Sent (or Overflow, or a close) is to wake it.
+  /// What to send next: replies and latest-wins messages in the order of their coming, a newer message in the place of
+  /// the one that it replaces, so that a reply tells that what was said before it has gone out; frames after them.
+  /// None: the writer is to wait, and the next push that says Sent (or Overflow, or a close) is to wake it.
   std::optional<Item> next();
 
  private:
@@ -70,6 +71,11 @@ class Outbox {
   struct Reply {
     WireMessage message;
     std::uint64_t inReplyTo = 0;
+    std::uint64_t order = 0;
+  };
+  struct LatestMessage {
+    WireMessage message;  ///< Null: none waits.
+    std::uint64_t order = 0;
   };
   struct QueuedFrame {
     std::uint64_t id = 0;
@@ -79,12 +85,15 @@ class Outbox {
   SendResult queued();
   void closeLocked(CloseReason reason);
   std::optional<Item> takeLocked();
+  WireMessage takeReply();
+  LatestMessage* firstLatest();
 
   const Limits limits_;
   mutable std::mutex mutex_;
   std::deque<Reply> replies_;
   std::size_t replyBytes_ = 0;
-  std::array<WireMessage, kLatestKinds> latest_;
+  std::array<LatestMessage, kLatestKinds> latest_;
+  std::uint64_t pushes_ = 0;
   std::deque<QueuedFrame> frames_;
   std::deque<std::uint64_t> unacknowledged_;  // Ids of the frames handed to the writer, oldest first.
   std::vector<std::uint64_t> snapshots_;      // Sequence numbers of those under way.

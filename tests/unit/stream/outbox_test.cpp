@@ -30,15 +30,16 @@ TEST(Outbox, FirstMessageWakesTheWriterThatWaits) {
   EXPECT_FALSE(outbox.next());
 }
 
-TEST(Outbox, RepliesGoBeforeLatestBeforeFrames) {
+TEST(Outbox, MessagesKeepTheirOrderAndGoBeforeFrames) {
   Outbox outbox({});
   outbox.pushFrame(1, wire("frame"));
   outbox.pushLatest(Outbox::Latest::Plan, wire("plan"));
   outbox.pushLatest(Outbox::Latest::Stats, wire("stats"));
   outbox.pushReply(wire("reply"));
-  EXPECT_EQ(taken(outbox), "reply");
-  EXPECT_EQ(taken(outbox), "stats");
+  outbox.pushLatest(Outbox::Latest::Stats, wire("newer stats"));
   EXPECT_EQ(taken(outbox), "plan");
+  EXPECT_EQ(taken(outbox), "newer stats") << "in the place of the older ones: the reply tells that they were said";
+  EXPECT_EQ(taken(outbox), "reply");
   EXPECT_EQ(taken(outbox), "frame");
 }
 
