@@ -239,6 +239,10 @@ class Conversation:
         await check_refused(client.ask(interact=nowhere), self.pb.Error.INVALID, path, "a ray without direction")
         idle = self.pb.Interact(origin=eye, direction=self.scene_pb.Vec3(x=1))
         await check_refused(client.ask(interact=idle), self.pb.Error.INVALID, "interact.action", "a touch of no kind")
+        target = welcome.scene.camera.target
+        ahead = self.scene_pb.Vec3(x=target.x - eye.x, y=target.y - eye.y, z=target.z - eye.z)
+        push = self.pb.Interact(action=self.pb.Interact.PUSH, origin=eye, direction=ahead)
+        await client.ask(interact=push)
         await client.close()
 
     async def follows(self):
