@@ -38,6 +38,8 @@ afterAll(async () => {
 
 beforeEach(async () => {
   await viewer.page.goto("about:blank");
+  // What the last page said must not be taken for the next one's.
+  server.heard = [];
   await viewer.page.goto(server.address);
   await expect.poll(() => server.last("setView")).toBeDefined();
   viewer.complaints.length = 0;

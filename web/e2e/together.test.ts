@@ -28,6 +28,8 @@ beforeEach(async () => {
   server.token = "";
   server.welcome = { ...server.welcome, role: Role.DRIVER };
   await viewer.page.goto("about:blank");
+  // What the last page said must not be taken for the next one's.
+  server.heard = [];
   viewer.complaints.length = 0;
 });
 
