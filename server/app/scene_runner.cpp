@@ -167,8 +167,8 @@ void SceneRunner::advance() {
   const Clock::time_point now = Clock::now();
   pace_.record(now, run_.source().time());
   settleGoal();
-  // While the last snapshot waits to be drawn, making another would be work for nothing; and so are those on the way to a
-  // time that somebody asked for.
+  // While the last snapshot waits to be drawn, making another would be work for nothing; and so are those on the way to
+  // a time that somebody asked for.
   if (unpublished_ && !run_.hasGoal() && !snapshots_.peek()) publishSnapshot();
   if (run_.atEnd() || now >= nextStats_) publishStats();
 }

@@ -13,7 +13,8 @@ namespace {
 [[noreturn]] void refuseCount(double count, std::uint64_t limit, const std::string& path) {
   std::ostringstream problem;
   problem.precision(12);
-  problem << "the scene has at least " << count << " particles; its operator or the machine's free memory allows " << limit;
+  problem << "the scene has at least " << count << " particles; its operator or the machine's free memory allows "
+          << limit;
   throw core::InputError("", path, problem.str());
 }
 

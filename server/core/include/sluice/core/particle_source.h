@@ -42,7 +42,8 @@ class ParticleSource {
   /// How the last step went; sources that can tell without copying their particles do.
   virtual StepStatistics statistics() const { return snapshot()->statistics; }
 
-  /// What tells of the error of the flow as it is now; costs a pass over the particles. Zeros where a source has no flow.
+  /// What tells of the error of the flow as it is now; costs a pass over the particles. Zeros where a source has no
+  /// flow.
   virtual FlowMeasures measures() const { return {}; }
 
   /// Takes over the live fields of a complete, valid scene; the caller restarts the source where a field that needs
