@@ -55,6 +55,28 @@ v1::ClientMessage controlMessage(v1::Control::Action action, double untilSeconds
   return message;
 }
 
+/// Halts a run that plays, and lets it go on at the end, however the recording ends.
+class Halt {
+ public:
+  Halt(Connection& connection, bool playing) : connection_(connection), playing_(playing) {
+    if (playing_) request(connection_, controlMessage(v1::Control::PAUSE));
+  }
+  ~Halt() {
+    if (!playing_) return;
+    try {
+      connection_.send(controlMessage(v1::Control::PLAY));
+    } catch (const Failure&) {
+      // The server has gone; there is nothing to let go on.
+    }
+  }
+  Halt(const Halt&) = delete;
+  Halt& operator=(const Halt&) = delete;
+
+ private:
+  Connection& connection_;
+  bool playing_;
+};
+
 /// Where pictures of one moment after the other go.
 class Recording {
  public:
@@ -209,8 +231,7 @@ void record(const Context& context, const RecordOptions& options) {
   if (!options.camera.empty()) parseCamera(options.camera, {});
   const InterruptGuard guard;
   Connection connection = context.connect();
-  const v1::Stats state = currentStats(connection);
-  if (!state.paused()) request(connection, controlMessage(v1::Control::PAUSE));
+  const Halt halt(connection, !currentStats(connection).paused());
   const double begin = currentStats(connection).simulation_time();
 
   std::unique_ptr<Recording> recording = openRecording(connection, options);
@@ -223,7 +244,6 @@ void record(const Context& context, const RecordOptions& options) {
     throw;
   }
   if (recording->frames() > 0) recording->finish();
-  if (!state.paused()) request(connection, controlMessage(v1::Control::PLAY));
   if (context.json) {
     context.output.out << toLine({{"file", options.out},
                                   {"frames", recording->frames()},

@@ -66,7 +66,7 @@ double lowest(std::vector<double>& delays) {
 
 void RateController::setView(const stream::View& view) {
   view_ = view;
-  lastRise_ = {};
+  lastAim_ = {};
   target_ = {.quality = view.quality,
              .scale = view.mode == v1::AUTOMATIC ? target_.scale : 1,
              .framesPerSecond = view.maxRate,
@@ -199,10 +199,10 @@ void RateController::aim(Clock::time_point now) {
   const bool less = wanted.scale < target_.scale || wanted.quality <= target_.quality - kQualityStep;
   const bool more = wanted.scale > target_.scale || wanted.quality >= target_.quality + kQualityStep ||
                     (wanted.quality == view_.quality && target_.quality != view_.quality);
-  if (less || (more && secondsBetween(lastRise_, now) > kBetterSeconds)) {
+  if (less || (more && secondsBetween(lastAim_, now) > kBetterSeconds)) {
     target_.quality = wanted.quality;
     target_.scale = wanted.scale;
-    lastRise_ = now;
+    lastAim_ = now;
   }
   target_.framesPerSecond = wanted.framesPerSecond;
   target_.kilobitsPerSecond = wanted.kilobitsPerSecond;

@@ -193,7 +193,7 @@ std::optional<ViewerSchedule::Job> ViewerSchedule::next(Clock::time_point now) {
     best = {tag, viewer.lastJob, std::move(make)};
   };
   for (auto& [id, viewer] : viewers_) {
-    if (viewer.snapshot) offer(viewer, [this, member = Member{id, &viewer}, now] { return snapshotFor(member, now); });
+    if (viewer.snapshot) offer(viewer, [this, member = Member{id, &viewer}] { return snapshotFor(member); });
     if (dueForStill(id, viewer, now)) offer(viewer, [this, owner = ownerOf(id), now] { return stillFor(owner, now); });
   }
   for (const auto& [key, members] : streams) {
@@ -209,7 +209,7 @@ std::optional<ViewerSchedule::Job> ViewerSchedule::next(Clock::time_point now) {
   return best->make();
 }
 
-ViewerSchedule::Job ViewerSchedule::snapshotFor(const Member& member, Clock::time_point now) {
+ViewerSchedule::Job ViewerSchedule::snapshotFor(const Member& member) {
   Viewer& viewer = *member.viewer;
   const Snapshot snapshot = *std::exchange(viewer.snapshot, std::nullopt);
   viewer.served = std::max(viewer.served, virtualTime_);
@@ -224,7 +224,7 @@ ViewerSchedule::Job ViewerSchedule::snapshotFor(const Member& member, Clock::tim
                                  .frameId = 0,
                                  .reflectsSequence = viewer.reflectsSequence,
                                  .inReplyTo = snapshot.sequence,
-                                 .askedAt = now});
+                                 .askedAt = {}});
   job.encodings.push_back(std::move(encoding));
   ++inPipeline_[job.owner];
   return job;

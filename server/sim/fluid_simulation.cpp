@@ -344,7 +344,7 @@ void FluidSimulation::update(const v1::Scene& scene) {
 }
 
 core::Plan FluidSimulation::plan() const {
-  core::Plan plan = describe(currentPlan());
+  core::Plan plan = describe(planFor(chooseLength()));
   const auto add = [&](std::string_view name, std::uint64_t bytes) {
     plan.buffers.push_back({std::string(name), bytes});
   };

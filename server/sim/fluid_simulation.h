@@ -103,8 +103,8 @@ class FluidSimulation : public core::ParticleSource {
   std::vector<float> wallShares() const;
   TimeStepInputs timeStepInputs() const;
   TimeStepChoice chooseLength() const;
-  StepTraits traits() const;
-  StepPlan currentPlan() const;
+  StepTraits traits(const TimeStepChoice& length) const;
+  StepPlan planFor(const TimeStepChoice& length) const;
   StepContext beginStep();
   bool tryStep();
   void finish(const StepContext& step);

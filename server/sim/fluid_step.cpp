@@ -123,8 +123,7 @@ TimeStepChoice FluidSimulation::chooseLength() const {
   return choice;
 }
 
-StepTraits FluidSimulation::traits() const {
-  const TimeStepChoice length = chooseLength();
+StepTraits FluidSimulation::traits(const TimeStepChoice& length) const {
   return {.particles = state_.size(),
           .boundaryInReach = boundaryInReach_,
           // Particles that come or go change the pairs.
@@ -142,8 +141,8 @@ StepTraits FluidSimulation::traits() const {
           .emitting = population_.emitting(time_)};
 }
 
-StepPlan FluidSimulation::currentPlan() const {
-  const StepTraits present = traits();
+StepPlan FluidSimulation::planFor(const TimeStepChoice& length) const {
+  const StepTraits present = traits(length);
   if (!options_.keepInertStages) return planStep(settings_, present);
   // A plan for a scene where every stage has something to do; it runs with this scene's own values.
   v1::Simulation busy = settings_;
@@ -219,7 +218,7 @@ void FluidSimulation::shortenToStop() {
 
 bool FluidSimulation::tryStep() {
   StepContext step = beginStep();
-  const StepPlan plan = currentPlan();
+  const StepPlan plan = planFor(length_);
   for (const Stage stage : plan.stages) {
     run(stage, step);
     if (step.trouble.empty()) continue;

@@ -85,7 +85,7 @@ class RateController {
   double budget_ = std::numeric_limits<double>::infinity();
   double limit_ = std::numeric_limits<double>::infinity();  ///< What the link carried when it was last full.
   Clock::time_point lastChange_{};
-  Clock::time_point lastRise_{};
+  Clock::time_point lastAim_{};
 };
 
 }  // namespace sluice::app

@@ -158,7 +158,7 @@ class ViewerSchedule {
   bool dueForStill(core::ViewerId id, const Viewer& viewer, Clock::time_point now) const;
   Clock::time_point stillAt(const Viewer& viewer) const;
 
-  Job snapshotFor(const Member& member, Clock::time_point now);
+  Job snapshotFor(const Member& member);
   Job stillFor(core::ViewerId owner, Clock::time_point now);
   Job frameFor(const Streams& streams, const StreamKey& chosen, Clock::time_point now);
   Encoding encodingFor(const StreamKey& key, const std::vector<Member>& members, Clock::time_point now);
