@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <numbers>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -28,12 +29,24 @@ constexpr double kRadiansPerSecond = 2 * std::numbers::pi / 6;
 /// How long the frames for the last cameras are waited for.
 constexpr std::chrono::seconds kAftermath{2};
 
+/// The protocol's name of the stage that is not drawing.
+constexpr std::string_view kEncodeStage = "encode";
+
 double millisecondsBetween(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
 Clock::time_point after(Clock::time_point begin, double seconds) {
   return begin + std::chrono::duration_cast<Clock::duration>(Seconds(seconds));
+}
+
+/// All of the server's work on a frame but encoding it.
+double drawMilliseconds(const v1::Frame& frame) {
+  double sum = 0;
+  for (const v1::StageTime& stage : frame.stages()) {
+    if (stage.name() != kEncodeStage) sum += stage.milliseconds();
+  }
+  return sum;
 }
 
 class StreamBenchmark {
@@ -54,8 +67,8 @@ class StreamBenchmark {
     nextCamera_ = begin_;
     const Clock::time_point end = after(begin_, options_.seconds);
     for (Clock::time_point now = begin_; now < end; now = Clock::now()) {
-      if (options_.orbit && now >= nextCamera_) sendCamera(now);
-      takeMessage(options_.orbit ? std::min(nextCamera_, end) : end);
+      if (cameraDue(now)) sendCamera(now);
+      takeMessage(options_.orbit && !options_.inTurn ? std::min(nextCamera_, end) : end);
     }
     result_.seconds = Seconds(Clock::now() - begin_).count();
 
@@ -84,6 +97,11 @@ class StreamBenchmark {
     view.set_kilobits_per_second(options_.kilobitsPerSecond);
     view.set_no_still(true);
     connection_.send(std::move(message));
+  }
+
+  bool cameraDue(Clock::time_point now) const {
+    if (!options_.orbit) return false;
+    return options_.inTurn ? !delays_.waiting() : now >= nextCamera_;
   }
 
   void sendCamera(Clock::time_point now) {
@@ -168,6 +186,9 @@ class StreamBenchmark {
     const Clock::time_point decoded = Clock::now();
     reflected_ = frame.reflects_sequence();
     const std::optional<double> delay = delays_.decoded(reflected_, decoded);
+    const double draw = drawMilliseconds(frame);
+    result_.drawMilliseconds.push_back(draw);
+    if (delay) result_.besideDrawingMilliseconds.push_back(*delay - draw);
     if (delay && frame.response_milliseconds() > 0) {
       result_.responseMilliseconds.push_back(frame.response_milliseconds());
       result_.networkAndDecodeMilliseconds.push_back(*delay - frame.response_milliseconds());

@@ -43,6 +43,8 @@ void printJson(std::ostream& out, const StreamBenchmarkResult& result, const Qua
   out << toLine({{"input_to_decoded_ms", {{"median", delay.median}, {"p95", delay.p95}, {"p99", delay.p99}}},
                  {"response_ms", quantilesJson(result.responseMilliseconds)},
                  {"network_and_decode_ms", quantilesJson(result.networkAndDecodeMilliseconds)},
+                 {"draw_ms", quantilesJson(result.drawMilliseconds)},
+                 {"beside_drawing_ms", quantilesJson(result.besideDrawingMilliseconds)},
                  {"longest_delay_frames", result.longestDelayFrames},
                  {"psnr_db", median(result.psnrDecibels)},
                  {"inputs", result.inputToDecodedMilliseconds.size()},
@@ -62,6 +64,8 @@ void printText(std::ostream& out, const StreamBenchmarkResult& result, const Qua
         << " cameras\n"
         << "  the server      " << formatRounded(median(result.responseMilliseconds)) << " ms median\n"
         << "  way, decoding   " << formatRounded(median(result.networkAndDecodeMilliseconds)) << " ms median\n"
+        << "  beside drawing  " << formatRounded(median(result.besideDrawingMilliseconds)) << " ms median, drawing "
+        << formatRounded(median(result.drawMilliseconds)) << " ms\n"
         << "  out of date     " << result.longestDelayFrames << " frames at most, with the first that shows a camera\n";
   }
   if (!result.psnrDecibels.empty()) {
@@ -135,7 +139,11 @@ void addBench(CLI::App& app, Action& chosen) {
   verb->add_option("--slow", options->stream.slowBytesPerSecond, "Take no more than so many bytes a second")
       ->check(CLI::PositiveNumber)
       ->type_name("BYTES_PER_SECOND");
-  auto* still = verb->add_flag("--still", options->still, "Leave the camera at rest; no delay is measured");
+  CLI::Option* inTurn =
+      verb->add_flag("--in-turn", options->stream.inTurn,
+                     "Send a camera only when the picture for the last one is there; else sixty a second");
+  auto* still =
+      verb->add_flag("--still", options->still, "Leave the camera at rest; no delay is measured")->excludes(inTurn);
   verb->add_flag_callback(
           "--orbit", [] {}, "Turn the camera about the scene, which is the default")
       ->excludes(still);

@@ -77,6 +77,7 @@ void RenderLoop::loop(std::promise<std::string> ready) {
   try {
     context = gl::Context::create();
     renderer = std::make_unique<render::FluidRenderer>(*context);
+    if (context->isSoftware()) schedule_.setPipelineDepth(1);
     ready.set_value(context->rendererName());
   } catch (...) {
     ready.set_exception(std::current_exception());

@@ -13,9 +13,6 @@ namespace {
 
 using Clock = ViewerSchedule::Clock;
 
-/// Jobs of one owner that are drawn or encoded at a time: the one is drawn while the other is encoded.
-constexpr int kPipeline = 2;
-
 /// After so long without a change a viewer gets its picture without loss.
 constexpr std::chrono::milliseconds kRest{300};
 
@@ -80,7 +77,7 @@ Clock::time_point ViewerSchedule::earliest(const Viewer& viewer) const {
 
 bool ViewerSchedule::pipelineFull(core::ViewerId owner) const {
   const auto entry = inPipeline_.find(owner);
-  return entry != inPipeline_.end() && entry->second >= kPipeline;
+  return entry != inPipeline_.end() && entry->second >= pipelineDepth_;
 }
 
 void ViewerSchedule::partFromSlow(Streams& streams, Clock::time_point now) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "sluice/core/check.h"
 #include "sluice/core/input_error.h"
 
 namespace sluice::app {
@@ -22,6 +23,11 @@ core::ViewerId ViewerSchedule::ownerOf(core::ViewerId viewer) const {
     if (followed == viewers_.end()) return entry->first;
     entry = followed;
   }
+}
+
+void ViewerSchedule::setPipelineDepth(int depth) {
+  SLUICE_CHECK(depth >= 1);
+  pipelineDepth_ = depth;
 }
 
 void ViewerSchedule::join(core::ViewerId viewer, const core::Camera& camera) {

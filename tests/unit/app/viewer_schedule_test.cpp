@@ -408,21 +408,5 @@ TEST_F(ViewerScheduleTest, TimeToDrawIsSharedFairlyWhateverThePicturesCost) {
   EXPECT_NEAR(spent[kAnn] / spent[kBob], 1, 0.1);
 }
 
-TEST_F(ViewerScheduleTest, AtMostTwoPicturesOfAnOwnerAreDrawnAndNotEncoded) {
-  schedule_.join(kAnn, {});
-  schedule_.setView(kAnn, 1, view(), start_);
-  int drawn = 0;
-  for (int k = 0; k < 10; ++k) {
-    schedule_.contentChanged();
-    const auto job = schedule_.next(start_ + k * 10ms);
-    if (!job) continue;
-    ++drawn;
-    finish(*job, k * 10ms);
-  }
-  EXPECT_EQ(drawn, 2);
-  schedule_.encoded(kAnn);
-  EXPECT_TRUE(schedule_.next(start_ + 1s));
-}
-
 }  // namespace
 }  // namespace sluice::app

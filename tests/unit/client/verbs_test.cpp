@@ -128,6 +128,7 @@ TEST(CommandLine, BadUsageIsTwo) {
            {"watch", "--count", "0"},
            {"bench", "--codec", "gif"},
            {"bench", "--still", "--orbit"},
+           {"bench", "--still", "--in-turn"},
            {"script", "no_such_file"},
            {"info", "--server", "ftp://host"},
            {"info", "--timeout", "-1"},
@@ -500,6 +501,16 @@ TEST(Bench, AcknowledgesEveryFrameOnceDecoded) {
   }
   EXPECT_GT(asked.size(), 1U);
   EXPECT_EQ(acknowledged, asked);
+}
+
+TEST(Bench, InTurnSendsACameraForEveryPictureAndNoMore) {
+  const FakeServer server(stream);
+  const Json json = run(server, {"bench", "--seconds", "0.2", "--size", "32x16", "--in-turn", "--json"}).json();
+  EXPECT_GT(json["inputs"], 12) << "more than sixty a second, as pictures come at once";
+  EXPECT_EQ(json["longest_delay_frames"], 1);
+  EXPECT_EQ(json["draw_ms"]["median"], 2.5);
+  EXPECT_NEAR(json["beside_drawing_ms"]["median"].get<double>(),
+              json["input_to_decoded_ms"]["median"].get<double>() - 2.5, 1e-9);
 }
 
 TEST(Bench, WithTheCameraAtRestMeasuresNoDelay) {

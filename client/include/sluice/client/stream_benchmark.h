@@ -17,6 +17,7 @@ struct StreamBenchmarkOptions {
   v1::QualityMode mode = v1::AUTOMATIC;
   std::uint32_t kilobitsPerSecond = 0;  ///< For FIXED_BIT_RATE.
   double slowBytesPerSecond = 0;        ///< Plays a link that carries no more; 0: as it is.
+  bool inTurn = false;                  ///< Send a camera only once the picture for the last one is there.
   bool orbit = true;                    ///< Turn the camera all the time; else it rests, and no delay is measured.
 };
 
@@ -33,6 +34,9 @@ struct StreamBenchmarkResult {
   std::vector<double> inputToDecodedMilliseconds;    ///< One for each camera that was sent.
   std::vector<double> responseMilliseconds;          ///< The server's share of the delay.
   std::vector<double> networkAndDecodeMilliseconds;  ///< The rest of it: the way there and back, and decoding.
+  std::vector<double> drawMilliseconds;              ///< What the renderer spent on each frame, read-back included.
+  /// The delay of the newest camera that each frame shows, without drawing that frame.
+  std::vector<double> besideDrawingMilliseconds;
   /// The most frames that came behind a camera up to and with the first that shows it.
   std::size_t longestDelayFrames = 0;
   std::vector<double> decodeMilliseconds;

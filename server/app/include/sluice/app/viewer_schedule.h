@@ -63,6 +63,13 @@ class ViewerSchedule {
   /// `maxWindow` is the number of frames that may be under way to one viewer, from drawing to acknowledgement.
   explicit ViewerSchedule(std::uint32_t maxWindow) : maxWindow_(maxWindow) {}
 
+  /// How many pictures of one owner may be begun and not encoded; 1 or more, 2 unless set.
+  ///
+  /// With 2 one is drawn while the other is encoded: right where drawing and encoding use different hardware. Where the
+  /// same processor does both, neither gets done sooner by that and the second picture shows older input than it could:
+  /// 1 encodes a picture before the next is begun.
+  void setPipelineDepth(int depth);
+
   void join(core::ViewerId viewer, const core::Camera& camera);
   void leave(core::ViewerId viewer);
   std::size_t size() const { return viewers_.size(); }
@@ -165,6 +172,7 @@ class ViewerSchedule {
   core::Delivery deliver(const Member& member, Clock::time_point now);
 
   std::uint32_t maxWindow_;
+  int pipelineDepth_ = 2;
   std::map<core::ViewerId, Viewer> viewers_;
   std::map<core::ViewerId, int> inPipeline_;  ///< Jobs of each owner that are begun and not encoded.
   double virtualTime_ = 0;                    ///< Of start-time fair queueing, s.
