@@ -80,7 +80,7 @@ void RateController::setDrawSeconds(double seconds) {
 }
 
 void RateController::sent(const Sent& frame, Clock::time_point now) {
-  underWay_.push_back({frame.frameId, frame.bytes, now});
+  underWay_.push_back({frame.frameId, frame.bytes, now, static_cast<std::uint32_t>(underWay_.size())});
   const double pixels = static_cast<double>(frame.size.width) * frame.size.height;
   if (frame.quality == 0 || (frame.keyframe && core::isVideo(view_.codecs.front()) && bytesPerPixel_ != 0)) return;
   const double measured =
@@ -91,7 +91,8 @@ void RateController::sent(const Sent& frame, Clock::time_point now) {
 void RateController::acknowledged(std::uint64_t frameId, Clock::time_point now) {
   for (; !underWay_.empty() && underWay_.front().frameId <= frameId; underWay_.pop_front()) {
     const double delay = secondsBetween(underWay_.front().sent, now);
-    arrivals_.push_back({now, underWay_.front().bytes, delay});
+    arrivals_.push_back({now, underWay_.front().bytes, delay, underWay_.front().ahead});
+    acknowledgedId_ = underWay_.front().frameId;
   }
   while (!arrivals_.empty() && secondsBetween(arrivals_.front().when, now) > kMemorySeconds) arrivals_.pop_front();
   if (arrivals_.empty()) return;
@@ -158,11 +159,44 @@ void RateController::judge(Clock::time_point now) {
       budget_ = std::numeric_limits<double>::infinity();
     }
   }
-  // Frames enough under way to fill the time that one takes there and back, but not a queue.
-  const double pipe = base * frameRate();
-  target_.window =
-      full ? std::min<std::uint32_t>(2, maxWindow_)
-           : std::clamp(static_cast<std::uint32_t>(std::ceil(pipe)) + 1, std::min(2U, maxWindow_), maxWindow_);
+  fitWindow(full, now);
+}
+
+std::optional<double> RateController::roundTrip() const {
+  std::optional<double> shortest;
+  for (const Arrival& arrival : arrivals_) {
+    if (arrival.ahead != 0 || arrival.when <= lastFull_) continue;
+    shortest = std::min(arrival.delay, shortest.value_or(arrival.delay));
+  }
+  return shortest;
+}
+
+void RateController::fitWindow(bool full, Clock::time_point now) {
+  const std::uint32_t least = std::min(2U, maxWindow_);
+  if (full) {
+    lastFull_ = now;
+    target_.window = least;
+    return;
+  }
+  const std::optional<double> alone = roundTrip();
+  if (!alone) {
+    // One frame by itself tells how long the way is without a queue.
+    if (target_.window > least || lastFull_ != Clock::time_point{}) target_.window = 1;
+    return;
+  }
+  const auto pipe = static_cast<std::uint32_t>(std::ceil(*alone * frameRate()));
+  const std::uint32_t enough = std::clamp(pipe + 1, least, maxWindow_);
+  if (enough <= target_.window || target_.window < least) {
+    target_.window = std::min(enough, std::max(target_.window, least));
+    return;
+  }
+  // In a narrow link each frame more under way makes the next ones slower, in a far one it does not: one is added at a
+  // time, and its effect awaited.
+  const Arrival& last = arrivals_.back();
+  const bool windowUsed = last.ahead + 1 >= target_.window && acknowledgedId_ > grownAt_;
+  if (!windowUsed || last.delay > *alone * (1 + kUnsteady) + kRoom) return;
+  ++target_.window;
+  grownAt_ = underWay_.empty() ? acknowledgedId_ : underWay_.back().frameId;
 }
 
 double RateController::frameRate() const {

@@ -26,6 +26,7 @@ class Link {
 
   struct Run {
     double longestDelay = 0;     ///< From sending a frame to its acknowledgement, s, in the run's second half.
+    double startDelay = 0;       ///< The longest in its first half.
     double framesPerSecond = 0;  ///< In its second half.
     double bytesPerSecond = 0;
   };
@@ -39,8 +40,9 @@ class Link {
     for (; now_ < end; now_ += 0.001) {
       for (; !underWay_.empty() && underWay_.front().arrives <= now_; underWay_.pop_front()) {
         rate.acknowledged(underWay_.front().id, at(now_));
+        double& longest = now_ < half ? run.startDelay : run.longestDelay;
+        longest = std::max(longest, underWay_.front().arrives - underWay_.front().sent);
         if (now_ < half) continue;
-        run.longestDelay = std::max(run.longestDelay, underWay_.front().arrives - underWay_.front().sent);
         run.framesPerSecond += 2 / seconds;
         run.bytesPerSecond += 2 / seconds * underWay_.front().bytes;
       }
@@ -129,6 +131,14 @@ TEST(RateControl, ATenthOfTheLinkCostsSizeTooAndDelayStaysBelowFourFrames) {
   EXPECT_LT(rate.target().scale, 1);
   EXPECT_GT(run.framesPerSecond, 20);
   EXPECT_LT(run.longestDelay, 4.0 / 30 + 0.02);
+}
+
+TEST(RateControl, ANarrowLinkIsNotTakenForAFarOneWhenItBegins) {
+  RateController rate = controller();
+  Link link(0.33e6, 0.02);
+  const Link::Run run = link.play(rate, view(), 20);
+  // Two of the first, full-sized frames, one behind the other.
+  EXPECT_LT(run.startDelay, 2 * 0.12 * 1280 * 720 / 0.33e6 + 0.03);
 }
 
 TEST(RateControl, AHundredthOfTheLinkCostsRateAtLast) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <optional>
 
 #include "sluice/core/camera.h"
 #include "sluice/stream/backend.h"
@@ -59,11 +60,13 @@ class RateController {
     std::uint64_t frameId;
     std::size_t bytes;
     Clock::time_point sent;
+    std::uint32_t ahead;  ///< Frames that were under way when it was sent.
   };
   struct Arrival {
     Clock::time_point when;
     std::size_t bytes;
     double delay;
+    std::uint32_t ahead;
   };
 
   double quickest();
@@ -72,6 +75,10 @@ class RateController {
   double frameRate() const;
   double bytesAt(int quality, double scale) const;
   void judge(Clock::time_point now);
+  /// What a frame takes there and back with no other under way, s; none where no such frame came of late.
+  std::optional<double> roundTrip() const;
+  /// Lets frames enough be under way to fill that time, but not a queue.
+  void fitWindow(bool full, Clock::time_point now);
   void aim(Clock::time_point now);
 
   std::uint32_t maxWindow_;
@@ -84,6 +91,9 @@ class RateController {
   double bytesPerPixel_ = 0;  ///< At quality 85; 0 before the first frame.
   double budget_ = std::numeric_limits<double>::infinity();
   double limit_ = std::numeric_limits<double>::infinity();  ///< What the link carried when it was last full.
+  std::uint64_t acknowledgedId_ = 0;
+  std::uint64_t grownAt_ = 0;  ///< The last frame that was under way when the window grew.
+  Clock::time_point lastFull_{};
   Clock::time_point lastChange_{};
   Clock::time_point lastAim_{};
 };
