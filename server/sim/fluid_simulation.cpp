@@ -156,7 +156,8 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
 void FluidSimulation::reset() { startAnew(); }
 
 InitialState FluidSimulation::beginning() const {
-  if (!options_.experiment) return initialState(settings_, container_, bodies_, affordableParticles_);
+  if (!options_.experiment)
+    return initialState(settings_, container_, bodies_, affordableParticles_, options_.volumeFit);
   InitialState initial;
   initial.particles = stateOf(*options_.experiment, container_);
   initial.takenOut.resize(bodies_.size());
@@ -167,6 +168,7 @@ InitialState FluidSimulation::startAnew() {
   InitialState initial = beginning();
   state_ = std::move(initial.particles);
   takenOut_ = initial.takenOut;
+  misfits_ = initial.misfits;
   touch_.reset();
   added_ = 0;
   population_.reset(newParticle(), state_.size());
@@ -371,6 +373,11 @@ std::vector<std::string> FluidSimulation::notices() const {
     notices.push_back(std::to_string(takenOut_[k]) + (takenOut_[k] == 1 ? " particle was" : " particles were") +
                       " taken out that would have started inside " + bodies_.nameOf(k) +
                       " or nearer than half a spacing to its surface");
+  }
+  if (misfits_ > 0) {
+    notices.push_back(std::to_string(misfits_) + (misfits_ == 1 ? " particle was" : " particles were") +
+                      " left out that the scene's volumes, filled at this quality, would have had in each other or too "
+                      "near to the container's faces");
   }
   if (population_.hasEmitters() && affordableParticles_ < settings_.max_particles()) {
     notices.push_back("emitters rest while there are " + std::to_string(affordableParticles_) +

@@ -1,6 +1,7 @@
 #include "initial_state.h"
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 
 #include "fluid_volumes.h"
@@ -9,6 +10,8 @@
 namespace sluice::sim {
 
 namespace {
+
+using Eigen::Vector3d;
 
 [[noreturn]] void refuseCount(double count, std::uint64_t limit, const std::string& path) {
   std::ostringstream problem;
@@ -49,23 +52,49 @@ void checkBudget(const v1::Simulation& simulation, const ParticleState& particle
       "the " + volume.noun + " holds no particle: it is too small for the particle_spacing, or outside the container");
 }
 
-/// Adds the particles of a volume that bodies leave room for.
-void addParticles(const FluidVolume& volume, double spacing, const Container& container, const Bodies& bodies,
-                  std::uint64_t limit, InitialState& state) {
+/// What volumes are laid into.
+struct Room {
+  const Container& container;
+  const Bodies& bodies;
+  double spacing;       ///< m.
+  std::uint64_t limit;  ///< Particles.
+  VolumeFit fit;
+};
+
+bool isFilled(std::span<const FluidVolume> volumes, const Vector3d& x, double spacing) {
+  return std::ranges::any_of(volumes, [&](const FluidVolume& volume) { return holds(volume, x, spacing); });
+}
+
+/// Adds the particles of a volume that bodies and, where it has been refilled, faces and `earlier` volumes leave room
+/// for.
+void addParticles(const FluidVolume& volume, std::span<const FluidVolume> earlier, const Room& room,
+                  InitialState& state) {
   std::vector<Float4>& position = state.particles.position;
   const std::size_t before = position.size();
   std::optional<std::size_t> lastBody;
+  bool isFilledAlready = false;
   position.reserve(before + static_cast<std::size_t>(volume.expected));
-  forEachParticle(volume, container, spacing, [&](const Float4& x) {
-    if (const auto body = bodies.bodyAt({x.x, x.y, x.z}, kStartingDistance * spacing)) {
+  forEachPlace(volume, room.spacing, [&](const Vector3d& x) {
+    if (room.fit == VolumeFit::AsGiven) {
+      checkClear(volume, x, room.container, room.spacing);
+    } else if (isFilled(earlier, x, room.spacing)) {
+      isFilledAlready = true;
+      ++state.misfits;
+      return;
+    } else if (!isClear(x, room.container, room.spacing)) {
+      ++state.misfits;
+      return;
+    }
+    const Eigen::Vector3f rounded = x.cast<float>();
+    if (const auto body = room.bodies.bodyAt(rounded.cast<double>(), kStartingDistance * room.spacing)) {
       lastBody = body;
       ++state.takenOut[*body];
       return;
     }
-    if (position.size() == limit) refuseCount(static_cast<double>(limit) + 1, limit, volume.path);
-    position.push_back(x);
+    if (position.size() == room.limit) refuseCount(static_cast<double>(room.limit) + 1, room.limit, volume.path);
+    position.push_back({rounded.x(), rounded.y(), rounded.z(), 0});
   });
-  if (position.size() == before) refuseEmpty(volume, bodies, lastBody);
+  if (position.size() == before && !isFilledAlready) refuseEmpty(volume, room.bodies, lastBody);
 }
 
 }  // namespace
@@ -76,16 +105,17 @@ const InitialState::Origin& InitialState::originOf(std::uint32_t id) const {
 }
 
 InitialState initialState(const v1::Simulation& simulation, const Container& container, const Bodies& bodies,
-                          std::uint64_t particleLimit) {
-  const double spacing = simulation.particle_spacing();
+                          std::uint64_t particleLimit, VolumeFit fit) {
+  const Room room{container, bodies, simulation.particle_spacing(), particleLimit, fit};
   const std::vector<FluidVolume> volumes = fluidVolumes(simulation, container);
   checkCount(simulation, volumes, particleLimit);
 
   InitialState initial;
   initial.takenOut.resize(bodies.size());
   ParticleState& state = initial.particles;
-  for (const FluidVolume& volume : volumes) {
-    addParticles(volume, spacing, container, bodies, particleLimit, initial);
+  for (std::size_t k = 0; k < volumes.size(); ++k) {
+    const FluidVolume& volume = volumes[k];
+    addParticles(volume, std::span(volumes).first(k), room, initial);
     initial.origins.push_back({volume.noun, volume.path, volume.place, state.size()});
     const Float4 velocity{static_cast<float>(volume.velocity.x()), static_cast<float>(volume.velocity.y()),
                           static_cast<float>(volume.velocity.z()), 0};
