@@ -139,7 +139,7 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
                              kEasingSteps * settings.time_step().max_seconds())},
       walls_(container_, discretisation_.spacing, bodies_, boundary_.grid().geometry(), movingBodies_),
       affordableParticles_(affordableParticles(options, discretisation_)),
-      population_(settings, container_, bodies_, discretisation_),
+      population_(settings, container_, bodies_, movingBodies_, discretisation_),
       touch_(discretisation_.spacing),
       grid_(boundary_.grid().geometry()),
       lists_(options.loops != nullptr ? *options.loops : bestPairLoops(),
