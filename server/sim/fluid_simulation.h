@@ -15,6 +15,7 @@
 #include "discretisation.h"
 #include "free_flight.h"
 #include "initial_state.h"
+#include "memory_budget.h"
 #include "micropolar.h"
 #include "mixture.h"
 #include "moving_bodies.h"
@@ -146,7 +147,7 @@ class FluidSimulation : public core::ParticleSource {
   BodyStep bodyStep_;
   MovingBodies::State bodiesBefore_;  ///< At the step's beginning.
   Walls walls_;
-  std::uint64_t affordableParticles_;  ///< That there is memory for.
+  ParticleLimit particleLimit_;
   Population population_;
   Touch touch_;
   std::uint64_t added_ = 0;  ///< Particles that hands have added since the initial state.

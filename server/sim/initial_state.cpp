@@ -13,23 +13,22 @@ namespace {
 
 using Eigen::Vector3d;
 
-[[noreturn]] void refuseCount(double count, std::uint64_t limit, const std::string& path) {
+[[noreturn]] void refuseCount(double count, const ParticleLimit& limit, const std::string& path) {
   std::ostringstream problem;
   problem.precision(12);
-  problem << "the scene has at least " << count << " particles; its operator or the machine's free memory allows "
-          << limit;
+  problem << "the scene has at least " << count << " particles, " << limit.explain(count);
   throw core::InputError("", path, problem.str());
 }
 
 /// Throws before any particle is made where there would be too many.
-void checkCount(const v1::Simulation& simulation, const std::vector<FluidVolume>& volumes, std::uint64_t limit) {
+void checkCount(const v1::Simulation& simulation, const std::vector<FluidVolume>& volumes, const ParticleLimit& limit) {
   if (simulation.fluids_size() == 0) {
     throw core::InputError("", "simulation.fluids", "the scene has no fluid; it needs at least one");
   }
   double total = 0;
   for (const FluidVolume& volume : volumes) {
     total += volume.expected;
-    if (total > static_cast<double>(limit)) refuseCount(total, limit, volume.path);
+    if (total > static_cast<double>(limit.count)) refuseCount(total, limit, volume.path);
   }
 }
 
@@ -56,8 +55,8 @@ void checkBudget(const v1::Simulation& simulation, const ParticleState& particle
 struct Room {
   const Container& container;
   const Bodies& bodies;
-  double spacing;       ///< m.
-  std::uint64_t limit;  ///< Particles.
+  double spacing;  ///< m.
+  const ParticleLimit& limit;
   VolumeFit fit;
 };
 
@@ -91,7 +90,9 @@ void addParticles(const FluidVolume& volume, std::span<const FluidVolume> earlie
       ++state.takenOut[*body];
       return;
     }
-    if (position.size() == room.limit) refuseCount(static_cast<double>(room.limit) + 1, room.limit, volume.path);
+    if (position.size() == room.limit.count) {
+      refuseCount(static_cast<double>(room.limit.count) + 1, room.limit, volume.path);
+    }
     position.push_back({rounded.x(), rounded.y(), rounded.z(), 0});
   });
   if (position.size() == before && !isFilledAlready) refuseEmpty(volume, room.bodies, lastBody);
@@ -105,10 +106,10 @@ const InitialState::Origin& InitialState::originOf(std::uint32_t id) const {
 }
 
 InitialState initialState(const v1::Simulation& simulation, const Container& container, const Bodies& bodies,
-                          std::uint64_t particleLimit, VolumeFit fit) {
-  const Room room{container, bodies, simulation.particle_spacing(), particleLimit, fit};
+                          const ParticleLimit& limit, VolumeFit fit) {
+  const Room room{container, bodies, simulation.particle_spacing(), limit, fit};
   const std::vector<FluidVolume> volumes = fluidVolumes(simulation, container);
-  checkCount(simulation, volumes, particleLimit);
+  checkCount(simulation, volumes, limit);
 
   InitialState initial;
   initial.takenOut.resize(bodies.size());

@@ -6,6 +6,7 @@
 
 #include "bodies.h"
 #include "container.h"
+#include "memory_budget.h"
 #include "particles.h"
 #include "sluice/v1/scene.pb.h"
 
@@ -40,8 +41,8 @@ struct InitialState {
 /// spacing to its surface. A scene that has emitters may start without any. Throws core::InputError where a volume does
 /// not stand inside the container with a spacing to its faces (unless `fit` says otherwise) or, in a planar scene, not
 /// in its plane; where bodies or faces leave nothing of it; and where there are more particles
-/// than `particleLimit`, for which there is memory, or the scene's `max_particles`.
+/// than `limit`, or than the scene's `max_particles`.
 InitialState initialState(const v1::Simulation& simulation, const Container& container, const Bodies& bodies,
-                          std::uint64_t particleLimit, VolumeFit fit = VolumeFit::AsGiven);
+                          const ParticleLimit& limit, VolumeFit fit = VolumeFit::AsGiven);
 
 }  // namespace sluice::sim
