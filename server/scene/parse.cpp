@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/text_format.h>
 
@@ -91,11 +93,13 @@ Location locate(const TextFormat::ParseInfoTree& root, const FieldPath& path) {
   Location best;
   const TextFormat::ParseInfoTree* tree = &root;
   for (const FieldStep& step : path) {
-    const TextFormat::ParseLocation here = tree->GetLocation(step.field, step.index);
+    // A list as a whole is where its first element is.
+    const int index = step.field->is_repeated() ? std::max(step.index, 0) : step.index;
+    const TextFormat::ParseLocation here = tree->GetLocation(step.field, index);
     // Elements after the first of a list in brackets have no place of their own, but their fields do.
     if (here.line >= 0) best = {here.line, here.column};
     if (step.field->cpp_type() != google::protobuf::FieldDescriptor::CPPTYPE_MESSAGE) break;
-    tree = tree->GetTreeForNested(step.field, step.index);
+    tree = tree->GetTreeForNested(step.field, index);
     if (tree == nullptr) break;
   }
   return best;

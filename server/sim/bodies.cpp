@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "driven_motion.h"
 #include "move_check.h"
 #include "sluice/core/check.h"
 #include "sluice/scene/convert.h"
@@ -46,6 +47,7 @@ Bodies::Bodies(const List& bodies, const Container& container, const Discretisat
                       path,
                       name,
                       !feltAsMoving(bodies[k]),
+                      !moves(bodies[k]) && !bodies[k].has_floating(),
                       bodies[k].adhesion()});
   }
 }
@@ -90,12 +92,24 @@ ClosestPoint Bodies::closest(const Vector3d& x, BodySet bodies, double reach) co
   return best;
 }
 
-std::optional<std::size_t> Bodies::bodyAt(const Vector3d& x, double distance) const {
+template <class Counts>
+std::optional<std::size_t> Bodies::find(const Vector3d& x, double distance, Counts&& counts) const {
   for (std::size_t k = 0; k < walls_.size(); ++k) {
-    const PlacedBody& body = walls_[k].body;
-    if (body.contains(x) || body.closest(x, distance).distance < distance) return k;
+    if (counts(walls_[k]) && walls_[k].body.isNearer(x, distance)) return k;
   }
   return std::nullopt;
+}
+
+std::optional<std::size_t> Bodies::bodyAt(const Vector3d& x, double distance) const {
+  return find(x, distance, [](const Wall&) { return true; });
+}
+
+std::optional<std::size_t> Bodies::fixedBodyAt(const Vector3d& x, double distance) const {
+  return find(x, distance, [](const Wall& wall) { return wall.isFixed; });
+}
+
+bool Bodies::anyStandsAt(const Vector3d& x, double distance) const {
+  return find(x, distance, [](const Wall& wall) { return wall.stands; }).has_value();
 }
 
 std::vector<const PlacedBody*> Bodies::standing() const {

@@ -59,6 +59,12 @@ class Bodies {
   /// The first body that has a point inside, or nearer to its surface than `distance`.
   std::optional<std::size_t> bodyAt(const Eigen::Vector3d& x, double distance) const;
 
+  /// The same of those that never move, whatever is felt of them.
+  std::optional<std::size_t> fixedBodyAt(const Eigen::Vector3d& x, double distance) const;
+
+  /// Whether one of those that stand has a point inside, or nearer to its surface than `distance`.
+  bool anyStandsAt(const Eigen::Vector3d& x, double distance) const;
+
   /// Those that stand. Valid as long as this.
   std::vector<const solids::PlacedBody*> standing() const;
 
@@ -82,11 +88,16 @@ class Bodies {
   struct Wall {
     solids::PlacedBody body;
     solids::SurfaceSampling sampling;
-    std::string path;    ///< "bodies[2]".
-    std::string name;    ///< "bodies[2] (pillar)".
-    bool stands = true;  ///< Is not felt as moving.
+    std::string path;     ///< "bodies[2]".
+    std::string name;     ///< "bodies[2] (pillar)".
+    bool stands = true;   ///< Is not felt as moving.
+    bool isFixed = true;  ///< Neither driven nor floating.
     double adhesion = 0;
   };
+
+  /// The first body that `counts` and has a point inside, or nearer to its surface than `distance`.
+  template <class Counts>
+  std::optional<std::size_t> find(const Eigen::Vector3d& x, double distance, Counts&& counts) const;
 
   std::vector<Wall> walls_;
   std::vector<std::string> notices_;

@@ -7,18 +7,45 @@ namespace sluice::sim {
 
 namespace {
 
-// A density solve that has used up its iterations is accepted while the mean compression left is below this.
+// A mean compression above this, left by a solve that has used up its iterations, is no fluid's.
 constexpr double kSaneCompression = 0.01;
 
 // Fluids further apart in rest density than this are worth a word where a density solve fails.
 constexpr double kDemandingRatio = 10;
 
+struct Compression {
+  double sum = 0;
+  Compression& operator+=(const Compression& other) {
+    sum += other.sum;
+    return *this;
+  }
+};
+
+/// Mean compression of the particles where the step begins.
+double compressionFound(const StepContext& step) {
+  const std::vector<float>& density = step.lists.density();
+  const auto found = step.team.sumOverChunks<Compression>(density.size(), [&](const Chunk& chunk) {
+    Compression part;
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) part.sum += std::max(density[i] - 1.0F, 0.0F);
+    return part;
+  });
+  return found.sum / static_cast<double>(std::max<std::size_t>(density.size(), 1));
+}
+
+/// The mean compression up to which a step whose iterations are used up is taken: one tolerance more than the step has
+/// `found`, but none that no fluid has. What a step adds, a shorter one adds less of: this shortens steps that need
+/// more iterations than they have before what they leave adds up, and never for what was there already.
+double acceptedCompression(const SolveGoal& goal, double found) {
+  return std::min(std::max(kSaneCompression, 10 * goal.tolerance), found + goal.tolerance);
+}
+
 void judge(const SolveOutcome& outcome, const SolveGoal& goal, std::string_view iterationsField, StepContext& step) {
   std::ostringstream text;
-  const double sane = std::max(kSaneCompression, 10 * goal.tolerance);
-  if (outcome.iterations == goal.maxIterations && outcome.meanError > sane) {
+  const bool isExhausted = outcome.iterations == goal.maxIterations && outcome.meanError > goal.tolerance;
+  const double found = isExhausted ? compressionFound(step) : 0;
+  if (isExhausted && outcome.meanError > acceptedCompression(goal, found)) {
     text << "the density solve left a mean compression of " << 100 * outcome.meanError << " % after "
-         << outcome.iterations << " iterations";
+         << outcome.iterations << " iterations, having found " << 100 * found << " %";
     // Jacobi iteration moves pressure on slowly where a light fluid carries a heavy one.
     if (step.mixture.densityRatio() > kDemandingRatio) {
       text << ", in fluids whose rest densities differ by a factor of " << step.mixture.densityRatio() << " (more "

@@ -19,7 +19,8 @@ struct DensitySolveSettings {
 };
 
 /// Velocities after which nothing is compressed at the end of the step. Sets the step's trouble where the iterations
-/// ran out far from the tolerance, or some particle would be compressed beyond the step's limit.
+/// ran out with a mean compression of more than one tolerance above what the step has found, or of more than 1 % (or
+/// ten tolerances), and where some particle would be compressed beyond the step's limit.
 void solveDensity(JacobiSolve& solve, const DensitySolveSettings& settings, const std::vector<float>& factor,
                   StepContext& step);
 

@@ -8,7 +8,6 @@
 
 #include "experiment_state.h"
 #include "lattice.h"
-#include "memory_budget.h"
 #include "quality.h"
 #include "sluice/core/check.h"
 #include "sluice/core/input_error.h"
@@ -72,17 +71,6 @@ double checkedBoundaryCount(const Container& container, const Bodies& bodies, co
   return count;
 }
 
-std::uint64_t affordableParticles(const SimulationOptions& options, const Discretisation& discretisation) {
-  // Particles are numbered with 32 bits, of which the pair loops use the sign.
-  constexpr std::uint64_t kMostParticles = (std::uint64_t{1} << 31) - 1;
-  // 0.8: the rest of the program needs memory too.
-  const std::uint64_t bytes = options.availableMemory > 0 ? options.availableMemory : availableMemory();
-  const auto affordable =
-      static_cast<std::uint64_t>(0.8 * static_cast<double>(bytes)) / bytesPerParticle(discretisation);
-  const std::uint64_t allowed = options.mostParticles > 0 ? options.mostParticles : kMostParticles;
-  return std::min({affordable, allowed, kMostParticles});
-}
-
 void checkPlanar(const v1::Simulation& settings) {
   if (!settings.planar() || settings.gravity().z() == 0) return;
   throw core::InputError("", "simulation.gravity.z", "must be 0: the scene is planar");
@@ -138,8 +126,10 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
                 BodyCoupling(movingBodies_, contacts_, mixture_, discretisation_.volume,
                              kEasingSteps * settings.time_step().max_seconds())},
       walls_(container_, discretisation_.spacing, bodies_, boundary_.grid().geometry(), movingBodies_),
-      affordableParticles_(affordableParticles(options, discretisation_)),
-      population_(settings, container_, bodies_, discretisation_),
+      particleLimit_(particleLimit(discretisation_,
+                                   options.availableMemory > 0 ? options.availableMemory : availableMemory(),
+                                   options.mostParticles)),
+      population_(settings, container_, bodies_, movingBodies_, discretisation_),
       touch_(discretisation_.spacing),
       grid_(boundary_.grid().geometry()),
       lists_(options.loops != nullptr ? *options.loops : bestPairLoops(),
@@ -156,7 +146,7 @@ FluidSimulation::FluidSimulation(const v1::Simulation& settings, const Bodies::L
 void FluidSimulation::reset() { startAnew(); }
 
 InitialState FluidSimulation::beginning() const {
-  if (!options_.experiment) return initialState(settings_, container_, bodies_, affordableParticles_);
+  if (!options_.experiment) return initialState(settings_, container_, bodies_, particleLimit_, options_.volumeFit);
   InitialState initial;
   initial.particles = stateOf(*options_.experiment, container_);
   initial.takenOut.resize(bodies_.size());
@@ -167,6 +157,7 @@ InitialState FluidSimulation::startAnew() {
   InitialState initial = beginning();
   state_ = std::move(initial.particles);
   takenOut_ = initial.takenOut;
+  misfits_ = initial.misfits;
   touch_.reset();
   added_ = 0;
   population_.reset(newParticle(), state_.size());
@@ -225,7 +216,7 @@ ParticleState FluidSimulation::newParticle() const {
 }
 
 std::uint64_t FluidSimulation::mostParticles() const {
-  return std::min<std::uint64_t>(settings_.max_particles(), affordableParticles_);
+  return std::min<std::uint64_t>(settings_.max_particles(), particleLimit_.count);
 }
 
 void FluidSimulation::checkOverlaps(const InitialState& initial) const {
@@ -372,9 +363,14 @@ std::vector<std::string> FluidSimulation::notices() const {
                       " taken out that would have started inside " + bodies_.nameOf(k) +
                       " or nearer than half a spacing to its surface");
   }
-  if (population_.hasEmitters() && affordableParticles_ < settings_.max_particles()) {
-    notices.push_back("emitters rest while there are " + std::to_string(affordableParticles_) +
-                      " particles: this machine's free memory allows no more, simulation.max_particles is " +
+  if (misfits_ > 0) {
+    notices.push_back(std::to_string(misfits_) + (misfits_ == 1 ? " particle was" : " particles were") +
+                      " left out that the scene's volumes, filled at this quality, would have had in each other or too "
+                      "near to the container's faces");
+  }
+  if (population_.hasEmitters() && particleLimit_.count < settings_.max_particles()) {
+    notices.push_back("emitters rest while there are " + std::to_string(particleLimit_.count) +
+                      " particles: " + particleLimit_.reason + " no more, simulation.max_particles is " +
                       std::to_string(settings_.max_particles()));
   }
   return notices;

@@ -15,6 +15,7 @@
 #include "discretisation.h"
 #include "free_flight.h"
 #include "initial_state.h"
+#include "memory_budget.h"
 #include "micropolar.h"
 #include "mixture.h"
 #include "moving_bodies.h"
@@ -45,6 +46,7 @@ struct SimulationOptions {
   bool keepInertStages = false;
   std::uint64_t availableMemory = 0;                       ///< Bytes; 0: what the machine can give.
   std::uint64_t mostParticles = 0;                         ///< 0: as many as there is memory for.
+  VolumeFit volumeFit = VolumeFit::AsGiven;                ///< Of the scene's volumes.
   std::shared_ptr<const Experiment> experiment = nullptr;  ///< What stands in for parts of the scene; null for nothing.
 };
 
@@ -145,7 +147,7 @@ class FluidSimulation : public core::ParticleSource {
   BodyStep bodyStep_;
   MovingBodies::State bodiesBefore_;  ///< At the step's beginning.
   Walls walls_;
-  std::uint64_t affordableParticles_;  ///< That there is memory for.
+  ParticleLimit particleLimit_;
   Population population_;
   Touch touch_;
   std::uint64_t added_ = 0;  ///< Particles that hands have added since the initial state.
@@ -186,6 +188,7 @@ class FluidSimulation : public core::ParticleSource {
   Eigen::Vector3d momentumDrift_ = Eigen::Vector3d::Zero();  ///< See core::FlowMeasures, kg·m/s.
   std::string halted_;
   std::vector<std::uint64_t> takenOut_;  ///< Of each body: particles that it leaves no room for at the start.
+  std::uint64_t misfits_ = 0;            ///< Particles that were left out at the start, see VolumeFit.
   core::StepStatistics statistics_;
 };
 

@@ -178,6 +178,8 @@ StepContext FluidSimulation::beginStep() {
   if (keepsBeginning_) {
     beginning_ = state_;
     populationBefore_ = population_.state();
+  } else if (beginning_.size() > 0) {
+    beginning_ = {};  // Most scenes need it in their first step alone.
   }
   findBoundaryInReach();
   length_ = chooseLength();

@@ -146,19 +146,20 @@ void checkInEnclosure(const FluidVolume& volume, const Vector3d& x, const solids
   throw core::InputError("", volume.place, problem.str());
 }
 
-/// Throws where a particle of a volume is too near to the container's faces.
-void checkInside(const FluidVolume& volume, const Vector3d& x, const Container& container, double spacing) {
-  if (container.enclosure) return checkInEnclosure(volume, x, *container.enclosure, spacing);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double at = x[static_cast<Eigen::Index>(axis)];
-    if (at >= kClearance * spacing && at <= container.size[axis] - kClearance * spacing) continue;
-    std::ostringstream problem;
-    problem << "the " << volume.noun << " has a particle at " << kAxes[axis] << " = " << container.origin[axis] + at
-            << " m; particles must start one spacing inside the container's faces, within ["
-            << container.origin[axis] + spacing << ", " << container.origin[axis] + container.size[axis] - spacing
-            << "] m";
-    throw core::InputError("", volume.place, problem.str());
+double placeOf(const FluidVolume& volume, std::size_t axis, std::uint32_t step, double spacing) {
+  return volume.first[axis] + spacing * step;
+}
+
+/// The corners of a volume's lattice, which must not be empty.
+std::array<Vector3d, 8> cornersOf(const FluidVolume& volume, double spacing) {
+  std::array<Vector3d, 8> corners;
+  for (unsigned k = 0; k < 8; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::uint32_t step = (k >> axis & 1) == 0 ? 0 : volume.counts[axis] - 1;
+      corners[k][static_cast<Eigen::Index>(axis)] = placeOf(volume, axis, step, spacing);
+    }
   }
+  return corners;
 }
 
 }  // namespace
@@ -185,26 +186,59 @@ std::vector<FluidVolume> fluidVolumes(const v1::Simulation& simulation, const Co
   return volumes;
 }
 
-void forEachParticle(const FluidVolume& volume, const Container& container, double spacing,
-                     const std::function<void(const Float4&)>& add) {
-  const auto place = [&](std::size_t axis, std::uint32_t step) { return volume.first[axis] + spacing * step; };
-  const auto visit = [&](const Vector3d& x) {
-    if (volume.contains && !volume.contains(x)) return;
-    checkInside(volume, x, container, spacing);
-    const Eigen::Vector3f rounded = x.cast<float>();
-    add({rounded.x(), rounded.y(), rounded.z(), 0});
-  };
-  if (!volume.contains) {
-    // The corners tell for all of it.
-    const auto last = [&](std::size_t axis) { return place(axis, volume.counts[axis] - 1); };
-    checkInside(volume, {volume.first[0], volume.first[1], volume.first[2]}, container, spacing);
-    checkInside(volume, {last(0), last(1), last(2)}, container, spacing);
-  }
+void forEachPlace(const FluidVolume& volume, double spacing, const std::function<void(const Vector3d&)>& visit) {
   for (std::uint32_t k = 0; k < volume.counts[2]; ++k) {
     for (std::uint32_t j = 0; j < volume.counts[1]; ++j) {
-      for (std::uint32_t i = 0; i < volume.counts[0]; ++i) visit({place(0, i), place(1, j), place(2, k)});
+      for (std::uint32_t i = 0; i < volume.counts[0]; ++i) {
+        const Vector3d x(placeOf(volume, 0, i, spacing), placeOf(volume, 1, j, spacing),
+                         placeOf(volume, 2, k, spacing));
+        if (!volume.contains || volume.contains(x)) visit(x);
+      }
     }
   }
+}
+
+bool isClear(const Vector3d& x, const Container& container, double spacing) {
+  const double nearest = kClearance * spacing;
+  if (container.enclosure) return container.enclosure->distance(x) >= nearest;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double at = x[static_cast<Eigen::Index>(axis)];
+    if (!(at >= nearest && at <= container.size[axis] - nearest)) return false;
+  }
+  return true;
+}
+
+void checkClear(const FluidVolume& volume, const Vector3d& x, const Container& container, double spacing) {
+  if (container.enclosure) return checkInEnclosure(volume, x, *container.enclosure, spacing);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double at = x[static_cast<Eigen::Index>(axis)];
+    if (at >= kClearance * spacing && at <= container.size[axis] - kClearance * spacing) continue;
+    std::ostringstream problem;
+    problem << "the " << volume.noun << " has a particle at " << kAxes[axis] << " = " << container.origin[axis] + at
+            << " m; particles must start one spacing inside the container's faces, within ["
+            << container.origin[axis] + spacing << ", " << container.origin[axis] + container.size[axis] - spacing
+            << "] m";
+    throw core::InputError("", volume.place, problem.str());
+  }
+}
+
+void checkClear(const FluidVolume& volume, const Container& container, double spacing) {
+  if (std::ranges::find(volume.counts, 0U) != volume.counts.end()) return;
+  const std::array<Vector3d, 8> corners = cornersOf(volume, spacing);
+  // Containers are convex.
+  if (std::ranges::all_of(corners, [&](const Vector3d& x) { return isClear(x, container, spacing); })) return;
+  if (!volume.contains) {
+    for (const Vector3d& x : corners) checkClear(volume, x, container, spacing);
+  }
+  forEachPlace(volume, spacing, [&](const Vector3d& x) { checkClear(volume, x, container, spacing); });
+}
+
+bool holds(const FluidVolume& volume, const Vector3d& x, double spacing) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double step = (x[static_cast<Eigen::Index>(axis)] - volume.first[axis]) / spacing;
+    if (step <= -0.5 || step >= volume.counts[axis] - 0.5) return false;
+  }
+  return !volume.contains || volume.contains(x);
 }
 
 }  // namespace sluice::sim

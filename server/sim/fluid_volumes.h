@@ -42,9 +42,19 @@ struct FluidVolume {
 /// meshes or a volume does not lie in its plane or move within it.
 std::vector<FluidVolume> fluidVolumes(const v1::Simulation& simulation, const Container& container);
 
-/// Calls `add` with the places of a volume's particles, x fastest, in the container's coordinates. Throws
-/// core::InputError where one is nearer to the container's faces than a lattice at rest.
-void forEachParticle(const FluidVolume& volume, const Container& container, double spacing,
-                     const std::function<void(const Float4&)>& add);
+/// Calls `visit` with the places of a volume's particles, x fastest, in the container's coordinates.
+void forEachPlace(const FluidVolume& volume, double spacing, const std::function<void(const Eigen::Vector3d&)>& visit);
+
+/// Whether a point is no nearer to the container's faces than a lattice at rest.
+bool isClear(const Eigen::Vector3d& x, const Container& container, double spacing);
+
+/// Throws core::InputError where a particle of the volume, at `x`, is not clear of the container's faces.
+void checkClear(const FluidVolume& volume, const Eigen::Vector3d& x, const Container& container, double spacing);
+
+/// The same for all of a volume's particles; cheap where its lattice, or all of it, is clear.
+void checkClear(const FluidVolume& volume, const Container& container, double spacing);
+
+/// Whether a point lies in a volume and, along every axis, within half a spacing of its lattice.
+bool holds(const FluidVolume& volume, const Eigen::Vector3d& x, double spacing);
 
 }  // namespace sluice::sim

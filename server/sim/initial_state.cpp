@@ -1,6 +1,7 @@
 #include "initial_state.h"
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 
 #include "fluid_volumes.h"
@@ -10,23 +11,24 @@ namespace sluice::sim {
 
 namespace {
 
-[[noreturn]] void refuseCount(double count, std::uint64_t limit, const std::string& path) {
+using Eigen::Vector3d;
+
+[[noreturn]] void refuseCount(double count, const ParticleLimit& limit, const std::string& path) {
   std::ostringstream problem;
   problem.precision(12);
-  problem << "the scene has at least " << count << " particles; its operator or the machine's free memory allows "
-          << limit;
+  problem << "the scene has at least " << count << " particles, " << limit.explain(count);
   throw core::InputError("", path, problem.str());
 }
 
 /// Throws before any particle is made where there would be too many.
-void checkCount(const v1::Simulation& simulation, const std::vector<FluidVolume>& volumes, std::uint64_t limit) {
+void checkCount(const v1::Simulation& simulation, const std::vector<FluidVolume>& volumes, const ParticleLimit& limit) {
   if (simulation.fluids_size() == 0) {
     throw core::InputError("", "simulation.fluids", "the scene has no fluid; it needs at least one");
   }
   double total = 0;
   for (const FluidVolume& volume : volumes) {
     total += volume.expected;
-    if (total > static_cast<double>(limit)) refuseCount(total, limit, volume.path);
+    if (total > static_cast<double>(limit.count)) refuseCount(total, limit, volume.path);
   }
 }
 
@@ -49,23 +51,51 @@ void checkBudget(const v1::Simulation& simulation, const ParticleState& particle
       "the " + volume.noun + " holds no particle: it is too small for the particle_spacing, or outside the container");
 }
 
-/// Adds the particles of a volume that bodies leave room for.
-void addParticles(const FluidVolume& volume, double spacing, const Container& container, const Bodies& bodies,
-                  std::uint64_t limit, InitialState& state) {
+/// What volumes are laid into.
+struct Room {
+  const Container& container;
+  const Bodies& bodies;
+  double spacing;  ///< m.
+  const ParticleLimit& limit;
+  VolumeFit fit;
+};
+
+bool isFilled(std::span<const FluidVolume> volumes, const Vector3d& x, double spacing) {
+  return std::ranges::any_of(volumes, [&](const FluidVolume& volume) { return holds(volume, x, spacing); });
+}
+
+/// Adds the particles of a volume that bodies and, where it has been refilled, faces and `earlier` volumes leave room
+/// for.
+void addParticles(const FluidVolume& volume, std::span<const FluidVolume> earlier, const Room& room,
+                  InitialState& state) {
   std::vector<Float4>& position = state.particles.position;
   const std::size_t before = position.size();
   std::optional<std::size_t> lastBody;
+  bool isFilledAlready = false;
   position.reserve(before + static_cast<std::size_t>(volume.expected));
-  forEachParticle(volume, container, spacing, [&](const Float4& x) {
-    if (const auto body = bodies.bodyAt({x.x, x.y, x.z}, kStartingDistance * spacing)) {
+  forEachPlace(volume, room.spacing, [&](const Vector3d& x) {
+    if (room.fit == VolumeFit::AsGiven) {
+      checkClear(volume, x, room.container, room.spacing);
+    } else if (isFilled(earlier, x, room.spacing)) {
+      isFilledAlready = true;
+      ++state.misfits;
+      return;
+    } else if (!isClear(x, room.container, room.spacing)) {
+      ++state.misfits;
+      return;
+    }
+    const Eigen::Vector3f rounded = x.cast<float>();
+    if (const auto body = room.bodies.bodyAt(rounded.cast<double>(), kStartingDistance * room.spacing)) {
       lastBody = body;
       ++state.takenOut[*body];
       return;
     }
-    if (position.size() == limit) refuseCount(static_cast<double>(limit) + 1, limit, volume.path);
-    position.push_back(x);
+    if (position.size() == room.limit.count) {
+      refuseCount(static_cast<double>(room.limit.count) + 1, room.limit, volume.path);
+    }
+    position.push_back({rounded.x(), rounded.y(), rounded.z(), 0});
   });
-  if (position.size() == before) refuseEmpty(volume, bodies, lastBody);
+  if (position.size() == before && !isFilledAlready) refuseEmpty(volume, room.bodies, lastBody);
 }
 
 }  // namespace
@@ -76,16 +106,17 @@ const InitialState::Origin& InitialState::originOf(std::uint32_t id) const {
 }
 
 InitialState initialState(const v1::Simulation& simulation, const Container& container, const Bodies& bodies,
-                          std::uint64_t particleLimit) {
-  const double spacing = simulation.particle_spacing();
+                          const ParticleLimit& limit, VolumeFit fit) {
+  const Room room{container, bodies, simulation.particle_spacing(), limit, fit};
   const std::vector<FluidVolume> volumes = fluidVolumes(simulation, container);
-  checkCount(simulation, volumes, particleLimit);
+  checkCount(simulation, volumes, limit);
 
   InitialState initial;
   initial.takenOut.resize(bodies.size());
   ParticleState& state = initial.particles;
-  for (const FluidVolume& volume : volumes) {
-    addParticles(volume, spacing, container, bodies, particleLimit, initial);
+  for (std::size_t k = 0; k < volumes.size(); ++k) {
+    const FluidVolume& volume = volumes[k];
+    addParticles(volume, std::span(volumes).first(k), room, initial);
     initial.origins.push_back({volume.noun, volume.path, volume.place, state.size()});
     const Float4 velocity{static_cast<float>(volume.velocity.x()), static_cast<float>(volume.velocity.y()),
                           static_cast<float>(volume.velocity.z()), 0};

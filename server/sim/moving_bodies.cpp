@@ -246,6 +246,11 @@ bool MovingBodies::deflect(const Vector3d& x, Vector3d& velocity, Vector3d& to, 
   return held;
 }
 
+bool MovingBodies::anyAt(const Vector3d& x, double distance) const {
+  return std::ranges::any_of(
+      bodies_, [&](const Moving& moving) { return moving.holdsFluid && moving.body.isNearer(x, distance); });
+}
+
 bool MovingBodies::near(const Vector3d& x, double reach) const {
   return std::ranges::any_of(bodies_, [&](const Moving& moving) {
     return moving.holdsFluid && moving.body.bounds().squaredExteriorDistance(x) < reach * reach;

@@ -89,6 +89,9 @@ class MovingBodies {
   /// Gives floating bodies these momenta.
   void push(const BodySums& momentum);
 
+  /// Whether a point lies in one that holds fluid, where it is now, or nearer to its surface than `distance`.
+  bool anyAt(const Eigen::Vector3d& x, double distance) const;
+
   /// Whether a point is nearer to one of their bounds than `reach`.
   bool near(const Eigen::Vector3d& x, double reach) const;
 

@@ -63,7 +63,8 @@ void checkMouth(const Nozzle& nozzle, const Container& container, const Bodies& 
         throw core::InputError("", nozzle.path() + ".position", problem.str());
       }
     }
-    const auto body = bodies.bodyAt(nozzle.placeOf(k, 0, Vector3d::Zero()), kStartingDistance * discretisation.spacing);
+    const auto body =
+        bodies.fixedBodyAt(nozzle.placeOf(k, 0, Vector3d::Zero()), kStartingDistance * discretisation.spacing);
     if (!body) continue;
     throw core::InputError("", nozzle.path() + ".position",
                            "the mouth lies inside " + bodies.nameOf(*body) +
@@ -103,8 +104,11 @@ struct Count {
 }  // namespace
 
 Population::Population(const v1::Simulation& simulation, const Container& container, const Bodies& bodies,
-                       const Discretisation& discretisation)
-    : bodies_(&bodies), spacing_(discretisation.spacing), support_(discretisation.support) {
+                       const MovingBodies& movingBodies, const Discretisation& discretisation)
+    : bodies_(&bodies),
+      movingBodies_(&movingBodies),
+      spacing_(discretisation.spacing),
+      support_(discretisation.support) {
   for (int f = 0; f < simulation.fluids_size(); ++f) {
     for (int k = 0; k < simulation.fluids(f).emitters_size(); ++k) {
       const std::string path = "simulation.fluids[" + std::to_string(f) + "].emitters[" + std::to_string(k) + "]";
@@ -163,6 +167,7 @@ void Population::drain(ParticleState& particles, const Team& team) {
 }
 
 double Population::emit(ParticleState& particles, const Moment& moment, const Team& team) {
+  letGoAtBodies(moment);
   double fastest = moveHeld(particles, moment, team);
   for (std::size_t k = 0; k < nozzles_.size(); ++k) {
     while (emitLayer(k, particles, moment, team)) {
@@ -240,9 +245,7 @@ bool Population::emitLayer(std::size_t nozzle, ParticleState& particles, const M
 
 bool Population::hasRoom(const std::vector<Float4>& places, const Vector3d& middle, double radius,
                          const ParticleState& particles, const Team& team) const {
-  for (const Float4& place : places) {
-    if (bodies_->bodyAt(toVector(place), kStartingDistance * spacing_)) return false;
-  }
+  if (std::ranges::any_of(places, [&](const Float4& place) { return isBlocked(toVector(place)); })) return false;
   const double reach = radius + kClosest * spacing_;
   const auto near = team.sumOverChunks<Places>(particles.size(), [&](const Chunk& chunk) {
     Places part;
@@ -256,6 +259,27 @@ bool Population::hasRoom(const std::vector<Float4>& places, const Vector3d& midd
   return std::ranges::none_of(near.all, [&](const Float4& x) {
     return std::ranges::any_of(
         places, [&](const Float4& place) { return (toVector(x) - toVector(place)).squaredNorm() < closest * closest; });
+  });
+}
+
+/// Whether there is a body now where a particle would be.
+bool Population::isBlocked(const Vector3d& place) const {
+  const double distance = kStartingDistance * spacing_;
+  return bodies_->anyStandsAt(place, distance) || movingBodies_->anyAt(place, distance);
+}
+
+/// Leaves layers to the solver, where the last step's move has left them, that would be moved on into a body, and those
+/// that come behind them from the same nozzle.
+void Population::letGoAtBodies(const Moment& moment) {
+  if (bodies_->empty() && movingBodies_->empty()) return;
+  std::vector<bool> stopped(nozzles_.size(), false);
+  std::erase_if(state_.held, [&](const PopulationState::Layer& layer) {
+    const Nozzle& nozzle = nozzles_[layer.nozzle];
+    const double seconds = moment.time - layer.mouthSeconds;
+    for (std::uint32_t k = 0; k < layer.count && !stopped[layer.nozzle]; ++k) {
+      stopped[layer.nozzle] = isBlocked(nozzle.placeOf(k, seconds, moment.gravity));
+    }
+    return stopped[layer.nozzle];
   });
 }
 

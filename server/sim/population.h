@@ -10,6 +10,7 @@
 #include "bodies.h"
 #include "container.h"
 #include "discretisation.h"
+#include "moving_bodies.h"
 #include "nozzle.h"
 #include "particles.h"
 #include "sluice/core/state_stream.h"
@@ -53,16 +54,18 @@ struct PopulationState {
 /// Layers of particles leave a nozzle at exact times, whatever the steps: one that passed the mouth within a step is
 /// put where it has got to by the step's end, so that a jet has no gaps. Until it has come one support radius far, a
 /// layer follows the parabola of free flight, whatever the solver says: it has no fluid behind it yet that would hold
-/// it, and would be pushed back into the mouth. A layer that would stand in other particles or a body, or for which
-/// there are too many particles already, waits, and those after it too.
+/// it, and would be pushed back into the mouth. A body that comes in its way, or stands there, ends that: the solver
+/// and the body then have the layer and those behind it. A layer that would stand in other particles or a body, where
+/// that is now, or for which there are too many particles already, waits, and those after it too.
 ///
 /// Used by one thread; loops run on the team. Particles, their numbers and their order do not depend on its size.
 class Population {
  public:
   /// Throws core::InputError with the field path where a nozzle is no nozzle (see Nozzle) or its mouth is not inside
-  /// the container, one spacing from its faces, and outside of bodies, and where a drain lies outside the container.
+  /// the container, one spacing from its faces, and outside of bodies that never move, and where a drain lies outside
+  /// the container. The bodies must outlive this.
   Population(const v1::Simulation& simulation, const Container& container, const Bodies& bodies,
-             const Discretisation& discretisation);
+             const MovingBodies& movingBodies, const Discretisation& discretisation);
 
   bool hasEmitters() const { return !nozzles_.empty(); }
   bool hasDrains() const { return !drains_.empty(); }
@@ -85,7 +88,7 @@ class Population {
   };
 
   /// Moves layers on that are not yet clear of their mouths, and adds those that have passed theirs by now behind the
-  /// other particles. Returns the largest speed of either, m/s.
+  /// other particles, once bodies have moved. Returns the largest speed of either, m/s.
   double emit(ParticleState& particles, const Moment& moment, const Team& team);
 
   const PopulationState& state() const { return state_; }
@@ -109,9 +112,12 @@ class Population {
   bool emitLayer(std::size_t nozzle, ParticleState& particles, const Moment& moment, const Team& team);
   bool hasRoom(const std::vector<Float4>& places, const Eigen::Vector3d& middle, double radius,
                const ParticleState& particles, const Team& team) const;
+  bool isBlocked(const Eigen::Vector3d& place) const;
+  void letGoAtBodies(const Moment& moment);
   void letGo(double time);
 
   const Bodies* bodies_;
+  const MovingBodies* movingBodies_;
   double spacing_;
   double support_;
   std::vector<Nozzle> nozzles_;

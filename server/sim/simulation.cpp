@@ -6,11 +6,14 @@
 
 namespace sluice::sim {
 
-std::unique_ptr<core::ParticleSource> makeSimulation(const v1::Scene& scene, int threads,
-                                                     std::uint64_t mostParticles) {
+std::unique_ptr<core::ParticleSource> makeSimulation(const v1::Scene& scene, int threads, std::uint64_t mostParticles) {
   if (!scene.has_simulation()) throw core::InputError("", "simulation", "the scene has no simulation");
-  return std::make_unique<FluidSimulation>(atQuality(scene), scene.bodies(),
-                                           SimulationOptions{.threads = threads, .mostParticles = mostParticles});
+  SimulationOptions options{.threads = threads, .mostParticles = mostParticles};
+  if (refills(scene)) {
+    checkVolumes(scene.simulation());
+    options.volumeFit = VolumeFit::Refilled;
+  }
+  return std::make_unique<FluidSimulation>(atQuality(scene), scene.bodies(), options);
 }
 
 }  // namespace sluice::sim

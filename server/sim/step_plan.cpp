@@ -118,6 +118,9 @@ bool endsStep(Stage stage) {
   }
 }
 
+/// Stages that move bodies on where there is no particle yet, or no longer one.
+bool movesBodies(Stage stage) { return stage == Stage::Gravity || stage == Stage::RigidBodies; }
+
 bool hasEmitters(const v1::Fluid& fluid) { return fluid.emitters_size() > 0; }
 
 std::string_view reasonWithoutAdhesion(const v1::Simulation& simulation, const StepTraits& traits) {
@@ -134,7 +137,9 @@ std::string_view reasonToLeaveOut(Stage stage, const v1::Simulation& simulation,
     return traits.emitting ? "" : "all have ended";
   }
   if (stage == Stage::Drains && simulation.drains_size() == 0) return "none";
-  if (traits.particles == 0 && !(traits.emitting && endsStep(stage))) return "there are no particles";
+  if (traits.particles == 0 && !(traits.emitting && endsStep(stage)) && !(traits.bodiesMove && movesBodies(stage))) {
+    return "there are no particles";
+  }
   switch (stage) {
     case Stage::DivergenceSolve:
       if (!simulation.dfsph().divergence_solve()) return "switched off";

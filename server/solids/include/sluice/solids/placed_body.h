@@ -23,6 +23,11 @@ class PlacedBody {
   /// Whether a point lies within a solid body.
   bool contains(const Eigen::Vector3d& x) const;
 
+  /// Whether a point lies within a solid body, or nearer to the surface than `distance`.
+  bool isNearer(const Eigen::Vector3d& x, double distance) const {
+    return contains(x) || closest(x, distance).distance < distance;
+  }
+
   /// The surface's closest point; one that is not nearer than `reach` need not be found.
   ClosestPoint closest(const Eigen::Vector3d& x, double reach) const;
 
