@@ -17,6 +17,7 @@ class DfsphSolver : public PressureSolver {
   void reset(ParticleState& state, const Container& container) override;
   void update(const v1::Simulation& simulation) override { settings_ = simulation.dfsph(); }
   void run(Stage stage, StepContext& step) override;
+  WallAnswer wallAnswer() const override { return WallAnswer::Mirrored; }
   std::uint64_t bytes() const override;
 
  private:

@@ -246,7 +246,8 @@ void FluidSimulation::checkOverlaps(const InitialState& initial) const {
 /// The wall's share in what each particle is pressed between, by sums of gradients: ½ against a flat wall. Empty where
 /// no particle is near a wall, or walls answer as fluid does.
 std::vector<float> FluidSimulation::wallShares() const {
-  if (!boundaryInReach_ || solver_->wallsMirrorPressure()) return {};
+  const bool inReach = boundaryInReach_ || bodiesInReach_;
+  if (!inReach || wallAnswer() == WallAnswer::Mirrored || solver_->mirrorsByItself()) return {};
   const std::vector<Float4> ones(state_.size(), {1, 1, 1, 1});
   std::vector<Float4> ofFluid(state_.size());
   std::vector<float> shares(state_.size());
@@ -285,8 +286,8 @@ std::unique_ptr<core::ParticleSnapshot> FluidSimulation::snapshot() const {
   // κ = p·dt/ρ_max: u = v − dt/ρ·∇p, see Mixture. Of the density solve, which is the one that carries gravity.
   const float pressureOfImpulse =
       lastStepSeconds_ > 0 ? static_cast<float>(mixture_.heaviest() / lastStepSeconds_) : 0.0F;
-  // Two particles push each other with κ_i + κ_j, twice the pressure; a wall answers with κ_i alone, so that particles
-  // beside it carry more than the pressure that is there.
+  // Two particles push each other with κ_i + κ_j, twice the pressure; a wall that answers once with κ_i alone, so that
+  // particles beside it carry more than the pressure that is there.
   const std::vector<float> wallShare = wallShares();
   const Eigen::Vector3f origin(static_cast<float>(container_.origin[0]), static_cast<float>(container_.origin[1]),
                                static_cast<float>(container_.origin[2]));

@@ -287,7 +287,7 @@ void FluidSimulation::run(Stage stage, StepContext& step) {
     case Stage::Neighbours:
       return findNeighbours();
     case Stage::Boundary:
-      return lists_.addBoundary(boundary_, grid_, state_.position, team_);
+      return lists_.addBoundary(boundary_, wallAnswer(), grid_, state_.position, team_);
     case Stage::MovingBoundary:
       return updateMovingBoundary(step);
     case Stage::DensityError:
@@ -367,7 +367,7 @@ void FluidSimulation::takeBack() {
     if (!sortedInStep_) return;
     sort();
     lists_.find(grid_, state_.position, team_);
-    lists_.addBoundary(boundary_, grid_, state_.position, team_);
+    lists_.addBoundary(boundary_, wallAnswer(), grid_, state_.position, team_);
     if (movingBodies_.empty()) return;
     movingBoundary_.update(movingBodies_, boundary_, team_);
     contacts_.find(movingBoundary_, movingBodies_, grid_, state_.position, lists_, team_);

@@ -19,6 +19,7 @@ class IisphSolver : public PressureSolver {
 
   void update(const v1::Simulation& simulation) override { settings_ = simulation.iisph(); }
   void run(Stage stage, StepContext& step) override;
+  WallAnswer wallAnswer() const override { return WallAnswer::Mirrored; }
   std::uint64_t bytes() const override { return solve_.bytes() + factor_.size() * sizeof(float); }
 
  private:

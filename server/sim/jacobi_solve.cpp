@@ -75,6 +75,13 @@ SolveOutcome JacobiSolve::run(const SolveGoal& goal, const NeighbourLists& lists
     team.forEachChunk(particles, [&](const Chunk& chunk) {
       loops.applyImpulses(lists.chunk(chunk), mobility, impulse4_.data(), lists.gradientSum().data(), velocity.data(),
                           result_.data());
+      for (const WallContact& contact : lists.wallContacts(chunk)) {
+        const std::uint32_t i = contact.particle;
+        const Float4& before = velocity[i];
+        Float4& after = result_[i];
+        const Float4 more = contact.surplus({after.x - before.x, after.y - before.y, after.z - before.z, 0});
+        after = {after.x + more.x, after.y + more.y, after.z + more.z, 0};
+      }
     });
     if (goal.bodies != nullptr) goal.bodies->respond(impulse4_, team);
     const double nextT = (1 + std::sqrt(1 + 4 * t * t)) / 2;  // [BT09]

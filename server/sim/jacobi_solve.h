@@ -33,11 +33,12 @@ struct SolveOutcome {
 
 /// Relaxed Jacobi iteration for pressure impulses κ ≥ 0,
 ///
-///   u_i = v_i - w_i [Σ_j V_j (κ_i + κ_j) ∇W_ij + κ_i Σ_b V_b ∇W_ib],   κ_i > 0 only where the bound is met,
-///   (D u)_i = Σ_j V_j (u_i - u_j)·∇W_ij + Σ_b V_b u_i·∇W_ib ≤ bound_i,
+///   u_i = v_i - w_i M_i [Σ_j V_j (κ_i + κ_j) ∇W_ij + κ_i Σ_b s_i V_b ∇W_ib],   κ_i > 0 only where the bound is met,
+///   (D u)_i = Σ_j V_j (u_i - u_j)·∇W_ij + Σ_b s_i V_b u_i·∇W_ib ≤ bound_i,
 ///
-/// (a static boundary answers with κ_i alone, which makes the impulses the exact adjoint of D: pressure then does no
-/// work, where a mirrored κ_i was seen to add energy at impacts) with bound (1 - ρ̃_i)/dt in a density solve and 0 in a
+/// (a static boundary counts as often in the one as in the other, s_i times, which makes the impulses the exact adjoint
+/// of D: pressure then does no work, where a mirrored κ_i alone was seen to add energy at impacts; s_i and M_i, 1 away
+/// from walls, are those of WallContact) with bound (1 - ρ̃_i)/dt in a density solve and 0 in a
 /// divergence solve; w_i is the particle's mobility (see Mixture). In terms of the masses m ∝ 1/w, u is the nearest to
 /// v in Σ m |u - v|² that meets the bounds: the system is D M⁻¹ Dᵀ, with the diagonal 1/α_i = w_i |Σ_j V_j ∇W_ij + Σ_b
 /// V_b ∇W_ib|² + Σ_j w_j |V_j ∇W_ij|². Floating bodies are unknowns like the particles: each iteration gives them the

@@ -88,6 +88,7 @@ PairSums NeighbourLists::sums() {
 void NeighbourLists::find(const CellGrid& grid, const std::vector<Float4>& positions, const Team& team) {
   const std::size_t particles = positions.size();
   groups_.resize(chunkCount(particles));
+  wallContacts_.resize(chunkCount(particles));
   groupCount_.resize(particles);
   neighbours_.resize(particles);
   density_.resize(particles);
@@ -96,6 +97,7 @@ void NeighbourLists::find(const CellGrid& grid, const std::vector<Float4>& posit
 
   team.forEachChunk(particles, [&](const Chunk& chunk) {
     thread_local CandidateBuffer buffer;
+    wallContacts_[chunk.index].clear();
     std::vector<PairGroup>& groups = groups_[chunk.index];
     if (groups.empty()) groups.resize(kUsualGroups * (chunk.last - chunk.first));
     std::size_t used = 0;
@@ -119,18 +121,37 @@ void NeighbourLists::find(const CellGrid& grid, const std::vector<Float4>& posit
   });
 }
 
-void NeighbourLists::addBoundary(const Boundary& boundary, const CellGrid& grid, const std::vector<Float4>& positions,
-                                 const Team& team) {
+void NeighbourLists::addBoundary(const Boundary& boundary, WallAnswer answer, const CellGrid& grid,
+                                 const std::vector<Float4>& positions, const Team& team) {
   team.forEachChunk(positions.size(), [&](const Chunk& chunk) {
     thread_local CandidateBuffer buffer;
+    thread_local std::vector<WallSums> walls;
+    thread_local std::vector<WallContact> contacts;
+    contacts.clear();
     forEachCell(chunk, grid.cellOfSorted(), [&](std::uint32_t cell, std::uint32_t first, std::uint32_t last) {
       const CellGrid::Neighbourhood around = boundary.grid().around(cell);
       if (around.points == 0) return;
       buffer.gather(around, boundary.points(), scale_.period,
                     [&](std::size_t slot, std::uint32_t b) { buffer.setVolume(slot, boundary.volumes()[b]); });
-      loops_->addBoundary(scale_, buffer.view(), positions.data(), first, last, sums());
+      walls.resize(last - first);
+      loops_->addBoundary(scale_, buffer.view(), positions.data(), first, last, sums(), walls.data());
+      for (std::uint32_t i = first; i < last; ++i) answerAs(answer, walls[i - first], i, contacts);
     });
+    wallContacts_[chunk.index].assign(contacts.begin(), contacts.end());  // no more room than they need
   });
+}
+
+void NeighbourLists::answerAs(WallAnswer answer, const WallSums& wall, std::uint32_t i,
+                              std::vector<WallContact>& contacts) {
+  const Float4& once = wall.gradient;
+  if (once.x == 0 && once.y == 0 && once.z == 0) return;
+  float times = 1;
+  if (answer == WallAnswer::Mirrored) {
+    times = wallMirror(density_[i]);
+    contacts.push_back(wallContact(i, wall, density_[i]));
+  }
+  Float4& sum = gradientSum_[i];
+  sum = {sum.x + times * once.x, sum.y + times * once.y, sum.z + times * once.z, 0};
 }
 
 void NeighbourLists::countFluidNeighbours(const Chunk& chunk, std::vector<std::uint16_t>& counts) const {
@@ -150,6 +171,7 @@ void NeighbourLists::countFluidNeighbours(const Chunk& chunk, std::vector<std::u
 std::uint64_t NeighbourLists::bytes() const {
   std::uint64_t total = 0;
   for (const std::vector<PairGroup>& groups : groups_) total += groups.capacity() * sizeof(PairGroup);
+  for (const std::vector<WallContact>& contacts : wallContacts_) total += contacts.capacity() * sizeof(WallContact);
   return total + groupCount_.size() * (2 * sizeof(std::uint16_t) + 2 * sizeof(float) + sizeof(Float4));
 }
 

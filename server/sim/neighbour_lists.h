@@ -9,6 +9,7 @@
 #include "pair_loops.h"
 #include "particles.h"
 #include "team.h"
+#include "wall_contact.h"
 
 namespace sluice::sim {
 
@@ -21,9 +22,10 @@ class NeighbourLists {
   /// Finds the pairs of `positions`, which `grid` has sorted. Sums are without boundary.
   void find(const CellGrid& grid, const std::vector<Float4>& positions, const Team& team);
 
-  /// Adds a boundary, whose grid has the geometry of the one given to `find`, to the sums.
-  void addBoundary(const Boundary& boundary, const CellGrid& grid, const std::vector<Float4>& positions,
-                   const Team& team);
+  /// Adds a boundary, whose grid has the geometry of the one given to `find`, to the sums. Where it mirrors, the
+  /// gradient sums hold it as often as wallMirror() says.
+  void addBoundary(const Boundary& boundary, WallAnswer answer, const CellGrid& grid,
+                   const std::vector<Float4>& positions, const Team& team);
 
   /// Adds to what has been summed up of one particle; thread-safe for different ones.
   void addToSums(std::size_t i, float density, const Float4& gradient, std::uint16_t neighbours) {
@@ -43,6 +45,8 @@ class NeighbourLists {
 
   const std::vector<float>& density() const { return density_; }           ///< ρ/ρ0.
   const std::vector<Float4>& gradientSum() const { return gradientSum_; }  ///< Σ V_j ∇W_ij, boundary included.
+  /// The particles of a chunk that are beside a mirroring wall; empty where walls answer once.
+  const std::vector<WallContact>& wallContacts(const Chunk& chunk) const { return wallContacts_[chunk.index]; }
   const std::vector<float>& gradientSquares() const { return gradientSquares_; }
   const std::vector<std::uint16_t>& neighbours() const { return neighbours_; }  ///< Boundary included.
 
@@ -54,6 +58,7 @@ class NeighbourLists {
 
  private:
   PairSums sums();
+  void answerAs(WallAnswer answer, const WallSums& wall, std::uint32_t i, std::vector<WallContact>& contacts);
 
   const PairLoops* loops_;
   PairScale scale_;
@@ -63,6 +68,7 @@ class NeighbourLists {
   std::vector<float> density_;
   std::vector<Float4> gradientSum_;
   std::vector<float> gradientSquares_;
+  std::vector<std::vector<WallContact>> wallContacts_;  ///< Of each chunk.
 };
 
 }  // namespace sluice::sim

@@ -20,7 +20,9 @@ void PbfSolver::run(Stage stage, StepContext& step) {
     // The particles stay sorted by where the step took them: a correction is small against a cell, and a pair that it
     // brings into reach from beyond the next cell weighs nothing yet.
     step.lists.find(step.grid, step.state.position, step.team);
-    if (step.boundaryInReach) step.lists.addBoundary(step.boundary, step.grid, step.state.position, step.team);
+    if (step.boundaryInReach) {
+      step.lists.addBoundary(step.boundary, wallAnswer(), step.grid, step.state.position, step.team);
+    }
     step.findContacts();
   }
   step.statistics.densityIterations = settings_.iterations();

@@ -29,9 +29,12 @@ class PressureSolver {
   /// Its stages change positions after the particles have moved.
   virtual bool movesParticles() const { return false; }
 
-  /// A wall pushes a particle back with its pressure twice, as fluid of the same pressure would; otherwise once, and a
-  /// particle beside it carries more for that.
-  virtual bool wallsMirrorPressure() const { return false; }
+  /// How static walls count in the gradient sums that it is given.
+  virtual WallAnswer wallAnswer() const { return WallAnswer::Once; }
+
+  /// It mirrors all walls by itself, moving bodies among them. Where a wall answers once, a particle beside it carries
+  /// more than the pressure that is there.
+  virtual bool mirrorsByItself() const { return false; }
 
   /// Memory that it holds besides the particles' state, bytes.
   virtual std::uint64_t bytes() const = 0;

@@ -104,7 +104,8 @@ PairGroup* findNeighbours(const PairScale& scale, const Candidates& candidates, 
 
 template <class Kernel>
 SLUICE_INLINE void addBoundaryOf(const PairScale& scale, const Candidates& candidates, const Float4* position,
-                                 std::uint32_t first, std::uint32_t last, const PairSums& sums) {
+                                 std::uint32_t first, std::uint32_t last, const PairSums& sums,
+                                 WallSums* walls) {
   const float inverseSupport = 1 / scale.support;
   const Lanes tiny = splat(1e-6F * scale.support);
   // `value` and `slope` are per fluid particle's volume; boundary particles bring their own, as a multiple of it.
@@ -112,6 +113,7 @@ SLUICE_INLINE void addBoundaryOf(const PairScale& scale, const Candidates& candi
     const Float4 xi = position[i];
     Lanes values{};
     Lanes gx{}, gy{}, gz{};
+    Lanes xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
     std::uint32_t near = 0;
     for (std::size_t c = 0; c < candidates.count; c += Candidates::kLanes) {
       const Lanes dx = xi.x - load<Lanes>(&candidates.x[c]);
@@ -122,29 +124,38 @@ SLUICE_INLINE void addBoundaryOf(const PairScale& scale, const Candidates& candi
       const Lanes q = distance * inverseSupport;
       values += volume * Kernel::value(q);
       const Lanes perMetre = distance > tiny ? volume * Kernel::slope(q) / distance : Lanes{};
-      gx += perMetre * dx;
-      gy += perMetre * dy;
-      gz += perMetre * dz;
+      const Lanes px = perMetre * dx;
+      const Lanes py = perMetre * dy;
+      const Lanes pz = perMetre * dz;
+      gx += px;
+      gy += py;
+      gz += pz;
+      xx += px * dx;
+      yy += py * dy;
+      zz += pz * dz;
+      xy += px * dy;
+      xz += px * dz;
+      yz += py * dz;
       near += static_cast<std::uint32_t>(__builtin_popcount(bitsOf(q < 1.0F)));
     }
     sums.density[i] += scale.value * sumLanes(values);
-    Float4& gradient = sums.gradientSum[i];
-    gradient.x += scale.slope * sumLanes(gx);
-    gradient.y += scale.slope * sumLanes(gy);
-    gradient.z += scale.slope * sumLanes(gz);
     sums.neighbours[i] = static_cast<std::uint16_t>(sums.neighbours[i] + near);
+    const float slope = scale.slope;
+    walls[i - first] = {{slope * sumLanes(gx), slope * sumLanes(gy), slope * sumLanes(gz), 0},
+                        -slope * sumLanes(xx), -slope * sumLanes(yy), -slope * sumLanes(zz),
+                        -slope * sumLanes(xy), -slope * sumLanes(xz), -slope * sumLanes(yz)};
   }
 }
 
 void addBoundary(const PairScale& scale, const Candidates& candidates, const Float4* position, std::uint32_t first,
-                 std::uint32_t last, const PairSums& sums) {
+                 std::uint32_t last, const PairSums& sums, WallSums* walls) {
   switch (scale.kernel) {
     case KernelKind::WendlandC2:
-      return addBoundaryOf<WendlandC2>(scale, candidates, position, first, last, sums);
+      return addBoundaryOf<WendlandC2>(scale, candidates, position, first, last, sums, walls);
     case KernelKind::CubicSpline:
       break;
   }
-  addBoundaryOf<CubicSpline>(scale, candidates, position, first, last, sums);
+  addBoundaryOf<CubicSpline>(scale, candidates, position, first, last, sums, walls);
 }
 
 }  // namespace

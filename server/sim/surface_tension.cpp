@@ -28,13 +28,18 @@ void ColourGradient::compute(Weight by, const StepContext& step) {
   });
   step.team.forEachChunk(particles, [&](const Chunk& chunk) {
     lists.loops().weightedGradient(lists.chunk(chunk), weight_.data(), gradient_.data());
+    const std::vector<WallContact>& contacts = lists.wallContacts(chunk);
+    auto contact = contacts.begin();
     for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-      // The walls' share; exactly 0 without walls, because the sums over the fluid are sums of integers.
+      // The walls' share, once; exactly 0 without walls, because the sums over the fluid are sums of integers.
+      const bool mirrored = contact != contacts.end() && contact->particle == i;
+      if (mirrored) ++contact;
+      const float share = mirrored ? 1 / wallMirror(lists.density()[i]) : 1;
       const Float4& all = lists.gradientSum()[i];
       const Float4& fluid = ofFluid_[i];
-      gradient_[i].x += all.x - fluid.x;
-      gradient_[i].y += all.y - fluid.y;
-      gradient_[i].z += all.z - fluid.z;
+      gradient_[i].x += share * (all.x - fluid.x);
+      gradient_[i].y += share * (all.y - fluid.y);
+      gradient_[i].z += share * (all.z - fluid.z);
     }
   });
 }

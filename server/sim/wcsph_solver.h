@@ -28,7 +28,7 @@ class WcsphSolver : public PressureSolver {
   void update(const v1::Simulation& simulation) override;
   void run(Stage stage, StepContext& step) override;
   double speedOfSound() const override;
-  bool wallsMirrorPressure() const override { return true; }
+  bool mirrorsByItself() const override { return true; }
   std::uint64_t bytes() const override;
 
  private:
