@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fstream>
+#include <string>
 #include <system_error>
 
 #include <fcntl.h>
@@ -37,6 +39,28 @@ int writePart(const std::filesystem::path& part, std::span<const std::uint8_t> b
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> readWholeFile(const std::filesystem::path& file, std::uintmax_t mostBytes) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) throw InputError(file.string(), "", "no such file");
+  if (!fs::is_regular_file(status)) throw InputError(file.string(), "", "is not a file");
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error) throw InputError(file.string(), "", "cannot be read: " + error.message());
+  if (size > mostBytes) {
+    throw InputError(file.string(), "",
+                     "has " + std::to_string(size) + " bytes; allowed are at most " + std::to_string(mostBytes));
+  }
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file.string(), "", "cannot be opened for reading");
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<std::uintmax_t>(stream.gcount()) != size) {
+    throw InputError(file.string(), "", "cannot be read, or became shorter meanwhile");
+  }
+  return bytes;
+}
 
 void writeWholeFile(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
   std::filesystem::path part = file;

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
-#include "sluice/core/check.h"
-#include "sluice/evaluate/report.h"
+#include "logarithmic_axis.h"
+#include "plot_marks.h"
 
 namespace sluice::evaluate {
 
@@ -21,11 +20,6 @@ constexpr double kTop = 78;
 constexpr double kRight = 640;  // the legend stands beside it
 constexpr double kBottom = 492;
 
-/// Okabe & Ito 2008, which people with any of the usual colour deficiencies tell apart; their yellow and black, which
-/// a light and a dark page swallow, replaced by grey and purple.
-constexpr std::array<const char*, 8> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                              "#e69f00", "#56b4e9", "#8a63d2", "#8c8c8c"};
-
 constexpr const char* kStyle = R"(<style>
 text{font-family:system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif;font-size:12px;fill:#24292f}
 .title{font-size:17px;font-weight:600}.quiet{fill:#57606a}.label{font-size:11px;font-weight:600;stroke:#ffffff;stroke-width:3px;paint-order:stroke}
@@ -37,59 +31,15 @@ text{font-family:system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif;f
 </style>
 )";
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 bool isDrawn(const PlotPoint& p) { return std::isfinite(p.x) && std::isfinite(p.y) && p.x > 0 && p.y > 0; }
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0;
-
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  /// With a margin, and never empty.
-  Range padded() const {
-    if (!(high > 0)) return {0.1, 10};
-    // Markers clear the frame by a few pixels.
-    const double factor = std::max(std::pow(high / low, 0.06), 1.15);
-    return {low / factor, high * factor};
-  }
-};
 
 /// From data to the picture's pixels.
 struct Axes {
-  Range x;
-  Range y;
+  LogarithmicRange x;
+  LogarithmicRange y;
 
-  double atX(double value) const {
-    return kLeft + (kRight - kLeft) * std::log(value / x.low) / std::log(x.high / x.low);
-  }
-  double atY(double value) const {
-    return kBottom - (kBottom - kTop) * std::log(value / y.low) / std::log(y.high / y.low);
-  }
+  double atX(double value) const { return kLeft + (kRight - kLeft) * x.share(value); }
+  double atY(double value) const { return kBottom - (kBottom - kTop) * y.share(value); }
 };
 
 struct Box {
@@ -105,8 +55,8 @@ class Drawing {
  public:
   explicit Drawing(const ScatterPlot& plot) : plot_(plot) {
     out_.precision(5);
-    Range x;
-    Range y;
+    LogarithmicRange x;
+    LogarithmicRange y;
     for (const PlotSeries& series : plot.series) {
       for (const PlotPoint& point : series.points) {
         if (!isDrawn(point)) continue;
@@ -186,10 +136,6 @@ class Drawing {
     out_ << "\"/>\n";
   }
 
-  static const char* colourOf(const PlotSeries& series) {
-    return kColours[static_cast<std::size_t>(series.colour) % kColours.size()];
-  }
-
   void drawLine(const PlotSeries& series) {
     if (!series.line) return;
     out_ << "<polyline fill=\"none\" stroke=\"" << colourOf(series) << "\" stroke-opacity=\".75\" stroke-width=\"1.4\"";
@@ -207,56 +153,9 @@ class Drawing {
       if (!isDrawn(p)) continue;
       const double x = axes_.atX(p.x);
       const double y = axes_.atY(p.y);
-      marker(x, y, series, p.title);
+      drawMarker(out_, x, y, series, p.title);
       taken_.push_back({x - 5, y - 5, x + 5, y + 5});
     }
-  }
-
-  /// Circle, square, triangle, diamond, triangle on its head by the colour's number: 40 kinds before one repeats.
-  void marker(double x, double y, const PlotSeries& series, const std::string& title) {
-    const double r = series.fill == PlotSeries::Fill::Dot ? 2.6 : 4.6;
-    std::ostringstream shape;
-    switch (series.colour % 5) {
-      case 0:
-        shape << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"" << r << '"';
-        break;
-      case 1:
-        shape << "<rect x=\"" << x - 0.9 * r << "\" y=\"" << y - 0.9 * r << "\" width=\"" << 1.8 * r << "\" height=\""
-              << 1.8 * r << '"';
-        break;
-      case 2:
-        polygon(shape, {{x, y - 1.15 * r}, {x + 1.1 * r, y + 0.8 * r}, {x - 1.1 * r, y + 0.8 * r}});
-        break;
-      case 3:
-        polygon(shape, {{x, y - 1.25 * r}, {x + 1.25 * r, y}, {x, y + 1.25 * r}, {x - 1.25 * r, y}});
-        break;
-      default:
-        polygon(shape, {{x, y + 1.15 * r}, {x + 1.1 * r, y - 0.8 * r}, {x - 1.1 * r, y - 0.8 * r}});
-        break;
-    }
-    const char* const colour = colourOf(series);
-    out_ << shape.str() << " stroke=\"" << colour << "\" stroke-width=\"1.6\"";
-    if (series.fill == PlotSeries::Fill::Ring) {
-      out_ << " class=\"hollow\"";
-    } else {
-      out_ << " fill=\"" << colour << '"';
-    }
-    if (title.empty()) {
-      out_ << "/>\n";
-    } else {
-      out_ << "><title>" << escaped(title) << "</title></"
-           << (series.colour % 5 == 0   ? "circle"
-               : series.colour % 5 == 1 ? "rect"
-                                        : "polygon")
-           << ">\n";
-    }
-  }
-
-  static void polygon(std::ostringstream& out, std::initializer_list<std::pair<double, double>> corners) {
-    out.precision(5);
-    out << "<polygon points=\"";
-    for (const auto& [x, y] : corners) out << x << ',' << y << ' ';
-    out << '"';
   }
 
   /// Beside each series' last point and the points of the front, where they cover nothing.
@@ -313,7 +212,7 @@ class Drawing {
         out_ << "<line x1=\"" << x - 8 << "\" x2=\"" << x + 8 << "\" y1=\"" << y << "\" y2=\"" << y << "\" stroke=\""
              << colourOf(series) << "\" stroke-width=\"1.6\" stroke-dasharray=\"6 4\"/>\n";
       } else {
-        marker(x, y, key, "");
+        drawMarker(out_, x, y, key, "");
       }
       text(x + 14, y + 4, series.name, "key");
       y += 20;
@@ -331,7 +230,7 @@ class Drawing {
       PlotSeries key;
       key.colour = 15;  // a grey circle: 15 is the first of five shapes and the last of eight colours
       key.fill = kFills[i];
-      marker(x, y, key, "");
+      drawMarker(out_, x, y, key, "");
       text(x + 14, y + 4, plot_.fillKey[i], "key");
       y += 20;
     }
@@ -354,45 +253,6 @@ std::vector<PlotPoint> paretoFront(const std::vector<PlotPoint>& points) {
     if (front.empty() || p.y < front.back().y) front.push_back(p);
   }
   return front;
-}
-
-std::vector<double> logarithmicTicks(double low, double high) {
-  SLUICE_CHECK(low > 0 && high >= low);
-  // As many as stand apart along an axis: ticks at every 2 and 5 crowd a longer range.
-  constexpr double kFew = 2.5;  // powers of ten
-  constexpr double kOne = 0.75;
-  const double powers = std::log10(high / low);
-  std::vector<double> digits{1};
-  if (powers <= kFew) digits = {1, 2, 5};
-  if (powers <= kOne) digits = {1, 1.5, 2, 3, 4, 5, 6, 8};
-  std::vector<double> ticks;
-  for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10, power) <= high; ++power) {
-    for (const double digit : digits) {
-      const double tick = digit * std::pow(10, power);
-      if (tick >= low && tick <= high) ticks.push_back(tick);
-    }
-  }
-  return ticks;
-}
-
-std::string tickText(double tick) {
-  std::ostringstream out;
-  if (tick >= 1e6) {
-    out << tick / 1e6 << " M";
-  } else if (tick >= 1e4) {
-    out << tick / 1e3 << " k";
-  } else if (tick >= 1e-3) {
-    out << tick;
-  } else {
-    constexpr std::array kSuperscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    // A hair is added, for powers of ten that rounding has put just below.
-    const int power = static_cast<int>(std::floor(std::log10(tick) + 1e-9));
-    const double digit = tick / std::pow(10, power);
-    if (std::abs(digit - 1) > 1e-6) out << digit << "·";
-    out << "10⁻";
-    for (const char c : std::to_string(-power)) out << kSuperscripts[static_cast<std::size_t>(c - '0')];
-  }
-  return out.str();
 }
 
 std::string drawSvg(const ScatterPlot& plot) { return Drawing(plot).draw(); }

@@ -40,13 +40,6 @@ struct ScatterPlot {
 /// The points that no other is at most as large as in both coordinates and smaller in one, by rising x.
 std::vector<PlotPoint> paretoFront(const std::vector<PlotPoint>& points);
 
-/// Ticks of a logarithmic axis from `low` to `high`, both above 0: powers of ten alone over a long range, 1, 2 and 5
-/// times them over a shorter one, and more over a part of one power.
-std::vector<double> logarithmicTicks(double low, double high);
-
-/// A tick as people write it: 0.05, 20 k, 2·10⁻⁸.
-std::string tickText(double tick);
-
 /// An SVG picture that follows the reader's light or dark scheme. Points at or below 0 in either coordinate, which
 /// logarithmic axes do not have, are left out.
 std::string drawSvg(const ScatterPlot& plot);

@@ -2,52 +2,26 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <string>
 
 #include "data_traits.h"
 #include "environment_picture.h"
 #include "foam_dots.h"
 #include "frame_passes.h"
+#include "last_picture.h"
 #include "liquid_state.h"
 #include "liquid_uniforms.h"
-#include "picture_cover.h"
+#include "liquid_update.h"
+#include "read_back.h"
 #include "same.h"
 #include "sluice/core/check.h"
 #include "sluice/core/input_error.h"
 #include "sluice/gl/pass_clock.h"
 #include "splat_target.h"
 #include "study_pass.h"
+#include "upload_splats.h"
 
 namespace sluice::render {
-
-namespace {
-
-/// What of a scene shows in a picture, besides its particles.
-v1::Scene withoutSource(const v1::Scene& scene) {
-  v1::Scene rest;
-  *rest.mutable_look() = scene.look();
-  *rest.mutable_more_looks() = scene.more_looks();
-  *rest.mutable_background() = scene.background();
-  *rest.mutable_lighting() = scene.lighting();
-  *rest.mutable_bodies() = scene.bodies();
-  *rest.mutable_tone() = scene.tone();
-  *rest.mutable_view() = scene.view();
-  if (scene.has_foam()) *rest.mutable_foam() = scene.foam();
-  return rest;
-}
-
-/// Pixels that hold every splat, however it is stretched.
-PixelRect placeOf(const Eigen::AlignedBox3f& bounds, const SplatScale& scale, const ViewGeometry& view) {
-  if (bounds.isEmpty()) return {};
-  constexpr float kLargestInRadii = 4;
-  const auto reach = Eigen::Vector3f::Constant(kLargestInRadii * scale.radius);
-  PictureCover cover(view);
-  cover.add(Eigen::AlignedBox3f(bounds.min() - reach, bounds.max() + reach));
-  return cover.pixels();
-}
-
-}  // namespace
 
 class FluidRenderer::Impl {
  public:
@@ -66,7 +40,8 @@ class FluidRenderer::Impl {
     const v1::Scene& scene = isStudy(given.view()) ? studied_ : given;
     const ViewGeometry view = makeViewGeometry(camera, size);
     clock_.start();
-    if (isLastPicture(particles, scene, camera, size)) return keepPicture(particles, scene, view);
+    const bool seen = particles.sequence != 0 && particles.sequence == sequence_;
+    if (seen && last_.shows(particles.spacing, scene, camera, size)) return keepPicture(particles, scene, view);
 
     environment_.update(scene);
     clock_.lap("environment");
@@ -84,14 +59,15 @@ class FluidRenderer::Impl {
       traits.front().foamDots = foam_.size();
       clock_.lap("select foam");
     }
-    const FramePlan plan = planFrame(scene, size, traits, reuse(scene, camera, size), device_);
+    const FramePlan plan =
+        planFrame(scene, size, traits, last_.reuse(scene, camera, size, passes_.bodies().changes()), device_);
     plan_ = plan.describe();
     targets_.fit(plan);
 
     setUpGl();
     passes_.bindLights(scene);
     environment_.bind();
-    for (std::size_t k = 0; k < liquids_.size(); ++k) uploadSplats(plan, k, view);
+    for (std::size_t k = 0; k < liquids_.size(); ++k) uploadSplats(*liquids_[k], k, plan, view, device_);
     if (plan.runs(Pass::Sunlight)) light_.update(particles, scene, liquids_.size());
     passes_.setLight(light_);
     clock_.lap("light map");
@@ -102,19 +78,12 @@ class FluidRenderer::Impl {
       run(step.pass, contextOf(step, plan, scene, view));
       clock_.lap(step.name);
     }
-    sceneOf_ = withoutSource(scene);
-    cameraOf_ = camera;
-    spacingOf_ = particles.spacing;
-    bodiesOf_ = passes_.bodies().changes();
-    hasBackground_ = plan.buffer(Resource::Background) != nullptr;
-    hasPicture_ = true;
-    hasLegend_ = plan.runs(Pass::Legend);
-    pictureSize_ = size;
+    last_.note(plan, particles.spacing, scene, camera, size, passes_.bodies().changes());
     return finish(particles, size);
   }
 
   void follow(const core::ParticleSnapshot& particles, const v1::Scene& scene) {
-    takeParts(particles);
+    takeParts(liquids_, particles);
     for (std::size_t k = 0; k < liquids_.size(); ++k) followViolence(*liquids_[k], lookOf(scene, k));
     // Not owned where it is not split, and gone by the next frame.
     if (liquids_.size() == 1) liquids_.front()->particles.reset();
@@ -133,7 +102,7 @@ class FluidRenderer::Impl {
     const float largest = std::ranges::max(surface.values);
     traits.nearestDepth = largest > 0.0F ? 1.0F / largest : 1.0F;
     const FramePlan plan = planFrame(scene, surface.size, std::array{traits}, {}, device_);
-    hasBackground_ = hasPicture_ = false;
+    last_.forget();
     targets_.fit(plan);
     setUpGl();
     if (liquids_.empty()) liquids_.push_back(std::make_unique<LiquidState>());
@@ -151,21 +120,10 @@ class FluidRenderer::Impl {
   const core::Plan& plan() const { return plan_; }
 
   FloatPicture readBuffer(Resource resource, std::size_t liquid) {
-    const BufferId id{resource, static_cast<std::uint8_t>(isOfLiquid(resource) ? liquid : 0)};
-    if (!targets_.has(id)) return {};
-    const std::span<const float> values = targets_.read(id);
-    return {targets_.size(id), {values.begin(), values.end()}};
+    return readValues(targets_, {resource, static_cast<std::uint8_t>(isOfLiquid(resource) ? liquid : 0)});
   }
 
-  RadiancePicture readRadiance() {
-    const BufferId id{targets_.has({Resource::Picture}) ? Resource::Picture : Resource::Background};
-    RadiancePicture picture{targets_.size(id), {}};
-    picture.values.resize(4 * static_cast<std::size_t>(picture.size.width) *
-                          static_cast<std::size_t>(picture.size.height));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_.framebuffer(id));
-    glReadPixels(0, 0, picture.size.width, picture.size.height, GL_RGBA, GL_FLOAT, picture.values.data());
-    return picture;
-  }
+  RadiancePicture readRadiance() { return render::readRadiance(targets_); }
 
  private:
   void checkSize(core::ImageSize size) const {
@@ -178,28 +136,10 @@ class FluidRenderer::Impl {
 
   // --------------------------------------------------------------------------------------------- what can be kept
 
-  bool isLastPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, const core::Camera& camera,
-                     core::ImageSize size) const {
-    return hasPicture_ && particles.sequence != 0 && particles.sequence == sequence_ &&
-           particles.spacing == spacingOf_ && cameraOf_ == camera && pictureSize_ == size &&
-           same(sceneOf_, withoutSource(scene));
-  }
-
-  bool sameSurroundings(const v1::Scene& scene) const {
-    return same(sceneOf_.background(), scene.background()) && same(sceneOf_.lighting(), scene.lighting()) &&
-           std::ranges::equal(sceneOf_.bodies(), scene.bodies(), same<v1::Body>);
-  }
-
-  ReuseTraits reuse(const v1::Scene& scene, const core::Camera& camera, core::ImageSize size) const {
-    return {hasBackground_ && pictureSize_ == size && cameraOf_ == camera && sameSurroundings(scene) &&
-                passes_.bodies().changes() == bodiesOf_,
-            hasBackground_ && passes_.bodies().changes() == bodiesOf_};
-  }
-
   /// The last frame's picture is still there.
   core::Frame keepPicture(const core::ParticleSnapshot& particles, const v1::Scene& scene, const ViewGeometry& view) {
     const FramePlan plan =
-        planFrame(scene, view.size, {}, {.background = true, .picture = true, .legend = hasLegend_}, device_);
+        planFrame(scene, view.size, {}, {.background = true, .picture = true, .legend = last_.hasLegend()}, device_);
     plan_ = plan.describe();
     for (const PassStep& step : plan.steps) {
       run(step.pass, contextOf(step, plan, scene, view));
@@ -213,33 +153,10 @@ class FluidRenderer::Impl {
     newParticles_ = particles.sequence == 0 || particles.sequence != sequence_ || liquids_.empty();
     sequence_ = particles.sequence;
     if (!newParticles_ && liquids_.size() > 1) return;
-    takeParts(particles);
-  }
-
-  void takeParts(const core::ParticleSnapshot& particles) {
-    const auto parts = splitByFluid(particles);
-    liquids_.resize(parts.size());
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      if (liquids_[k] == nullptr) liquids_[k] = std::make_unique<LiquidState>();
-      liquids_[k]->particles = parts[k];
-    }
+    takeParts(liquids_, particles);
   }
 
   // ------------------------------------------------------------------------------------------------ one liquid's part
-
-  void aim(LiquidState& liquid, const v1::Look& look, const ViewGeometry& view, double spacing) {
-    liquid.surfaceView = divided(view, look.smoothing().divisor());
-    liquid.thicknessView = divided(view, look.thickness().divisor());
-    liquid.scale = splatScale(look.splats(), spacing);
-  }
-
-  static void followViolence(LiquidState& liquid, const v1::Look& look) {
-    if (look.has_noise()) {
-      liquid.marks.follow(*liquid.particles, look.noise());
-    } else {
-      liquid.marks = {};
-    }
-  }
 
   DataTraits select(LiquidState& liquid, const v1::Look& look, const v1::Scene& scene, const ViewGeometry& view) {
     const core::ParticleSnapshot& particles = *liquid.particles;
@@ -260,39 +177,6 @@ class FluidRenderer::Impl {
     traits.cubeMap = liquid.cube.shows({liquid.mirror.middle, static_cast<int>(look.liquid().cube_map().edge()),
                                         passes_.bodies().changes(), scene.background()});
     return traits;
-  }
-
-  void uploadSplats(const FramePlan& plan, std::size_t k, const ViewGeometry& view) {
-    LiquidState& liquid = *liquids_[k];
-    const SplatSelection& selection = liquid.selection;
-    const auto sphere = [&](std::uint32_t index, float radius) {
-      const Eigen::Vector3f centre = view.toView(liquid.particles->positions[index]);
-      return ViewSphere{centre.x(), centre.y(), centre.z(), radius};
-    };
-    const bool ellipsoids = liquid.model.shape == SplatShape::Ellipsoid;
-    const auto uploadPoints = [&](SplatArray& array, const SplatList& list) {
-      ellipsoids ? array.upload(list.ellipsoids) : array.upload(list.spheres);
-    };
-    if (!device_.software && plan.runs(Pass::Splats, k)) uploadPoints(liquid.splats.visible, selection.visible);
-    if (!device_.software && plan.runs(Pass::Thickness, k)) uploadPoints(liquid.splats.points, selection.points);
-    if (plan.runs(Pass::LargeSplats, k) && ellipsoids) {
-      std::vector<ViewEllipsoid> large;
-      for (const std::uint32_t index : selection.large) large.push_back(toView(liquid.model.ellipsoids[index], view));
-      liquid.splats.large.upload(large);
-    } else if (plan.runs(Pass::LargeSplats, k)) {
-      std::vector<ViewSphere> large;
-      for (const std::uint32_t index : selection.large) {
-        large.push_back(sphere(index, liquid.model.radius(index, liquid.scale.radius)));
-      }
-      liquid.splats.large.upload(large);
-    }
-    if (plan.runs(Pass::Spray, k)) {
-      std::vector<ViewSphere> drops;
-      for (const std::uint32_t index : selection.spray) drops.push_back(sphere(index, liquid.scale.dropRadius));
-      // The farthest first: each is drawn over those behind it.
-      std::ranges::stable_sort(drops, std::greater{}, &ViewSphere::z);
-      liquid.splats.spray.upload(drops);
-    }
   }
 
   // ------------------------------------------------------------------------------------------------------- the frame
@@ -400,15 +284,8 @@ class FluidRenderer::Impl {
 
   std::uint64_t sequence_ = 0;
   bool newParticles_ = false;
-  v1::Scene sceneOf_;  ///< Of the last picture, without its source.
-  core::Camera cameraOf_;
-  double spacingOf_ = 0;
-  std::uint64_t bodiesOf_ = 0;  ///< Changes of the bodies until the last picture.
-  bool hasBackground_ = false;
-  bool hasPicture_ = false;
-  bool hasLegend_ = false;       ///< Of the last picture.
-  core::ImageSize pictureSize_;  ///< Of the last picture.
-  v1::Scene studied_;            ///< The scene as its study view shows it.
+  LastPicture last_;
+  v1::Scene studied_;  ///< The scene as its study view shows it.
   EnvironmentState environment_;
   KeptLightMap light_;
 

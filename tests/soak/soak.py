@@ -2,7 +2,7 @@
 """Viewers that come, go, resize, fall silent and vanish, for minutes, against a live server; then: does it still serve,
 is its memory flat, and is nobody left?
 
-    soak.py SERVER [--seconds 300] [--scene dam_break] [--seed 1] [--viewers 12]
+    soak.py SERVER [--seconds 300] [--scene dam_break] [--seed 1] [--viewers 12] [--threads 0]
 
 Speaks the WebSocket by hand over plain sockets, so that connections can be left half open, cut with a reset, or fed one
 byte at a time. Exit code 1 where anything is not as it should be.
@@ -221,10 +221,10 @@ def resident_bytes(pid):
         return int(statm.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
-def start(server, scene):
+def start(server, scene, threads):
     log = tempfile.NamedTemporaryFile("w+", prefix="sluice-soak-", suffix=".log", delete=False)
     process = subprocess.Popen(
-        [server, "serve", scene, "--listen", "127.0.0.1:0", "--max-viewers", "64"],
+        [server, "serve", scene, "--listen", "127.0.0.1:0", "--max-viewers", "64", "--threads", str(threads)],
         # Leaks are judged by `findings`.
         stdout=subprocess.PIPE, stderr=log, text=True,
         env=dict(os.environ, OMP_WAIT_POLICY="passive", LSAN_OPTIONS="exitcode=0"))
@@ -258,9 +258,10 @@ def main():
     parser.add_argument("--scene", default="dam_break")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--viewers", type=int, default=12)
+    parser.add_argument("--threads", type=int, default=0, help="of the simulation; 0: one for each core")
     options = parser.parse_args()
 
-    process, port, log = start(options.server, options.scene)
+    process, port, log = start(options.server, options.scene, options.threads)
     crowd = Crowd(port, options.seed, time.monotonic() + options.seconds)
     threads = [threading.Thread(target=crowd.live, args=(n,), daemon=True) for n in range(options.viewers)]
     for thread in threads:

@@ -4,6 +4,7 @@ import "./style/panel.css";
 import "./style/controls.css";
 import "./style/readout.css";
 import "./style/touch.css";
+import "./style/viewers.css";
 
 import { App } from "./app";
 import { decodableCodecs } from "./picture/codecs";

@@ -43,6 +43,16 @@ class WholeFile : public testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
+  std::string readError(const std::string& name, std::uintmax_t mostBytes = 100) const {
+    try {
+      readWholeFile(folder_ / name, mostBytes);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << name << " was read";
+    return {};
+  }
+
   fs::path folder_;
 };
 
@@ -67,6 +77,22 @@ TEST_F(WholeFile, KeepsTheOldFileWhenTheDiskIsFull) {
   EXPECT_THAT(writeError("a"), HasSubstr("a: cannot be written: No space left"));
   EXPECT_EQ(read("a"), "old");
   EXPECT_FALSE(fs::exists(fs::symlink_status(folder_ / "a.part")));
+}
+
+TEST_F(WholeFile, IsReadAsItWasWritten) {
+  const std::vector<std::uint8_t> bytes{0, 255, '\n', '\r', 26};
+  writeWholeFile(folder_ / "a", bytes);
+  EXPECT_EQ(readWholeFile(folder_ / "a", 5), bytes);
+  write("empty", "");
+  EXPECT_TRUE(readWholeFile(folder_ / "empty", 0).empty());
+}
+
+TEST_F(WholeFile, ThatCannotBeReadIsNamed) {
+  EXPECT_THAT(readError("none"), HasSubstr((folder_ / "none").string() + ": no such file"));
+  fs::create_directory(folder_ / "b");
+  EXPECT_THAT(readError("b"), HasSubstr("b: is not a file"));
+  write("large", "12345");
+  EXPECT_THAT(readError("large", 4), HasSubstr("large: has 5 bytes; allowed are at most 4"));
 }
 
 }  // namespace

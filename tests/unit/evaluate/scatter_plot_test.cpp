@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "logarithmic_axis.h"
+
 namespace sluice::evaluate {
 namespace {
 
