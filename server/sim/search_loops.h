@@ -104,8 +104,7 @@ PairGroup* findNeighbours(const PairScale& scale, const Candidates& candidates, 
 
 template <class Kernel>
 SLUICE_INLINE void addBoundaryOf(const PairScale& scale, const Candidates& candidates, const Float4* position,
-                                 std::uint32_t first, std::uint32_t last, const PairSums& sums,
-                                 WallSums* walls) {
+                                 std::uint32_t first, std::uint32_t last, const PairSums& sums, WallSums* walls) {
   const float inverseSupport = 1 / scale.support;
   const Lanes tiny = splat(1e-6F * scale.support);
   // `value` and `slope` are per fluid particle's volume; boundary particles bring their own, as a multiple of it.
@@ -142,8 +141,12 @@ SLUICE_INLINE void addBoundaryOf(const PairScale& scale, const Candidates& candi
     sums.neighbours[i] = static_cast<std::uint16_t>(sums.neighbours[i] + near);
     const float slope = scale.slope;
     walls[i - first] = {{slope * sumLanes(gx), slope * sumLanes(gy), slope * sumLanes(gz), 0},
-                        -slope * sumLanes(xx), -slope * sumLanes(yy), -slope * sumLanes(zz),
-                        -slope * sumLanes(xy), -slope * sumLanes(xz), -slope * sumLanes(yz)};
+                        -slope * sumLanes(xx),
+                        -slope * sumLanes(yy),
+                        -slope * sumLanes(zz),
+                        -slope * sumLanes(xy),
+                        -slope * sumLanes(xz),
+                        -slope * sumLanes(yz)};
   }
 }
 

@@ -57,7 +57,7 @@ WallContact wallContact(std::uint32_t particle, const WallSums& sums, float dens
   const Vector3f along = std::cos(angle) * first + std::sin(angle) * second;
   const Vector3f across = std::cos(angle) * second - std::sin(angle) * first;
   const Matrix3f surplus = (wallMirror(density) - 1) * (missing(middle + radius) * along * along.transpose() +
-                                                   missing(middle - radius) * across * across.transpose());
+                                                        missing(middle - radius) * across * across.transpose());
   contact.xx = surplus(0, 0);
   contact.yy = surplus(1, 1);
   contact.zz = surplus(2, 2);

@@ -24,10 +24,10 @@ struct WallSums {
   float yz = 0;
 };
 
-/// What a wall is to the pressure of one particle beside it. It is a mirror: behind it liquid of the same pressure comes
-/// as fast as the particle does, so that it pushes with κ_i + κ_i and compresses at twice the rate, both by the same
-/// gradient, and the force stays the adjoint of the rate. (A wall that answers once leaves a lattice out of balance
-/// beside it: the lowest rows sink until they carry twice the liquid's pressure.)
+/// What a wall is to the pressure of one particle beside it. It is a mirror: behind it liquid of the same pressure
+/// comes as fast as the particle does, so that it pushes with κ_i + κ_i and compresses at twice the rate, both by the
+/// same gradient, and the force stays the adjoint of the rate. (A wall that answers once leaves a lattice out of
+/// balance beside it: the lowest rows sink until they carry twice the liquid's pressure.)
 ///
 /// Along the wall the mirrored liquid has the gradient of pressure that the particle's own neighbours have, which the
 /// sum over them misses, since κ_i stands for all that is behind the wall: of a pressure p along it the particle feels
