@@ -14,16 +14,9 @@ namespace {
 using Eigen::Vector3d;
 using testing::Contains;
 
-constexpr double kSpacing = 0.05;
 constexpr double kParticleMass = 1000 * kSpacing * kSpacing * kSpacing;
 
 Vector3d vector(const Float4& v) { return {v.x, v.y, v.z}; }
-
-void set(v1::Vec3* v, const Vector3d& to) {
-  v->set_x(to.x());
-  v->set_y(to.y());
-  v->set_z(to.z());
-}
 
 /// A block of fluid without gravity and viscosity above the floor of an otherwise distant container, whose wall's
 /// particles do not line up with the fluid's.
@@ -49,19 +42,6 @@ double meanHeight(const FluidSimulation& simulation) {
   double sum = 0;
   for (const Float4& x : simulation.state().position) sum += x.y;
   return sum / static_cast<double>(simulation.state().size());
-}
-
-Bodies::List oneBody(const v1::Body& body) {
-  Bodies::List list;
-  *list.Add() = body;
-  return list;
-}
-
-v1::Body box(const Vector3d& middle, const Vector3d& size) {
-  v1::Body body;
-  set(body.mutable_position(), middle);
-  set(body.mutable_box()->mutable_size(), size);
-  return body;
 }
 
 TEST(Adhesion, PullsTowardsTheWallWithinItsReachAlone) {
@@ -121,7 +101,7 @@ std::unique_ptr<FluidSimulation> besideABox(double adhesion, const SimulationOpt
   v1::Body body = box({0.35, 0.05, 0}, {0.3, 0.3, 0.3});
   body.mutable_floating()->set_density(300);
   body.set_adhesion(adhesion);
-  return std::make_unique<FluidSimulation>(settings, oneBody(body), options);
+  return std::make_unique<FluidSimulation>(settings, listOf({body}), options);
 }
 
 TEST(Adhesion, AFloatingBodyIsPulledAsMuchAsItPulls) {
@@ -148,7 +128,7 @@ TEST(Adhesion, AStandingBodyHasItsOwn) {
     v1::Simulation settings = floatingCube(1);
     v1::Body body = box({0, -0.2 - 0.075, 0}, {0.4, 0.4, 0.4});
     body.set_adhesion(adhesion);
-    FluidSimulation simulation(settings, oneBody(body));
+    FluidSimulation simulation(settings, listOf({body}));
     ASSERT_TRUE(simulation.advance());
     if (adhesion > 0) {
       EXPECT_LT(simulation.state().velocity[0].y, -1e-4);
@@ -203,7 +183,7 @@ TEST(Adhesion, HasTheSameBitsForAnyNumberOfThreads) {
     v1::Body body = box({0.8, 0.15, 0.4}, {0.2, 0.2, 0.2});
     body.mutable_floating()->set_density(400);
     body.set_adhesion(20);
-    FluidSimulation simulation(settings, oneBody(body), {.threads = threads});
+    FluidSimulation simulation(settings, listOf({body}), {.threads = threads});
     for (int step = 0; step < 60; ++step) EXPECT_TRUE(simulation.advance());
     return std::make_pair(simulation.state(), simulation.movingBodies().twist(0));
   };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -20,78 +18,6 @@ using Eigen::Vector3d;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr double kSpacing = 0.05;
-
-void set(v1::Vec3* v, double x, double y, double z) {
-  v->set_x(x);
-  v->set_y(y);
-  v->set_z(z);
-}
-
-v1::Body bodyAt(double x, double y, double z) {
-  v1::Body body;
-  body.set_name("wall");
-  set(body.mutable_position(), x, y, z);
-  return body;
-}
-
-v1::Body box(const Vector3d& middle, const Vector3d& size, bool openTop = false) {
-  v1::Body body = bodyAt(middle.x(), middle.y(), middle.z());
-  set(body.mutable_box()->mutable_size(), size.x(), size.y(), size.z());
-  body.mutable_box()->set_open_top(openTop);
-  return body;
-}
-
-v1::Body cylinder(const Vector3d& middle, double radius, double height, bool openTop = false) {
-  v1::Body body = bodyAt(middle.x(), middle.y(), middle.z());
-  body.mutable_cylinder()->set_radius(radius);
-  body.mutable_cylinder()->set_height(height);
-  body.mutable_cylinder()->set_open_top(openTop);
-  return body;
-}
-
-v1::Body sphere(const Vector3d& middle, double radius) {
-  v1::Body body = bodyAt(middle.x(), middle.y(), middle.z());
-  body.mutable_sphere()->set_radius(radius);
-  return body;
-}
-
-/// A tetrahedron with edges of `edge` m, without its last face where it is open.
-v1::Body tetrahedron(const Vector3d& middle, double edge, bool open) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / (open ? "open_tetrahedron.obj" : "tetrahedron.obj");
-  std::ofstream(file) << "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\n"
-                      << (open ? "" : "f 2 4 3\n");
-  v1::Body body = bodyAt(middle.x(), middle.y(), middle.z());
-  body.mutable_mesh()->set_path(file.string());
-  body.mutable_mesh()->set_scale(edge / std::sqrt(8));
-  return body;
-}
-
-Bodies::List listOf(std::initializer_list<v1::Body> bodies) {
-  Bodies::List list;
-  for (const v1::Body& body : bodies) *list.Add() = body;
-  return list;
-}
-
-/// 2 m wide, with room for the fluid of a block.
-v1::Simulation emptyTank() {
-  v1::Simulation simulation = smallDamBreak();
-  set(simulation.mutable_container()->mutable_min(), -1, -1, -1);
-  set(simulation.mutable_container()->mutable_max(), 1, 1, 1);
-  simulation.mutable_fluids(0)->clear_blocks();
-  return simulation;
-}
-
-void addBlock(v1::Simulation& simulation, const Vector3d& first, int nx, int ny, int nz, const Vector3d& velocity) {
-  v1::Block* block = simulation.mutable_fluids(0)->add_blocks();
-  set(block->mutable_first_particle(), first.x(), first.y(), first.z());
-  block->set_count_x(static_cast<std::uint32_t>(nx));
-  block->set_count_y(static_cast<std::uint32_t>(ny));
-  block->set_count_z(static_cast<std::uint32_t>(nz));
-  set(block->mutable_velocity(), velocity.x(), velocity.y(), velocity.z());
-}
-
 /// About the middle of emptyTank().
 std::vector<Vector3d> samplesOf(const v1::Body& body, double support = 2 * kSpacing) {
   const Container container{{-1, -1, -1}, {2, 2, 2}, {}};
@@ -101,13 +27,6 @@ std::vector<Vector3d> samplesOf(const v1::Body& body, double support = 2 * kSpac
     points.emplace_back(s.position.x - 1.0, s.position.y - 1.0, s.position.z - 1.0);
   }
   return points;
-}
-
-/// Runs, and calls `check` with where each particle is in the scene.
-template <class Check>
-void forEachParticle(const FluidSimulation& simulation, Check&& check) {
-  const auto snapshot = simulation.snapshot();
-  for (const Eigen::Vector3f& x : snapshot->positions) check(Vector3d(x.cast<double>()));
 }
 
 TEST(Bodies, SamplesAreAboutOneSpacingApartAndCoverTheSurface) {
@@ -192,7 +111,9 @@ TEST(Bodies, InsideAndNearAreToldForEveryShape) {
 TEST(Bodies, ParticlesInsideAreTakenOutAndCounted) {
   v1::Simulation settings = emptyTank();
   addBlock(settings, {-0.2, -0.9, -0.2}, 9, 9, 9, {0, 0, 0});
-  const FluidSimulation simulation(settings, listOf({sphere({0, -0.7, 0}, 0.1)}));
+  v1::Body body = sphere({0, -0.7, 0}, 0.1);
+  body.set_name("wall");
+  const FluidSimulation simulation(settings, listOf({body}));
   const std::size_t left = simulation.state().size();
   std::size_t expected = 0;
   for (int place = 0; place < 729; ++place) {
@@ -208,8 +129,10 @@ TEST(Bodies, ParticlesInsideAreTakenOutAndCounted) {
 TEST(Bodies, ABlockInsideABodyIsRefused) {
   v1::Simulation settings = emptyTank();
   addBlock(settings, {-0.05, -0.05, -0.05}, 3, 3, 3, {0, 0, 0});
+  v1::Body body = box({0, 0, 0}, {0.5, 0.5, 0.5});
+  body.set_name("wall");
   try {
-    const FluidSimulation simulation(settings, listOf({box({0, 0, 0}, {0.5, 0.5, 0.5})}));
+    const FluidSimulation simulation(settings, listOf({body}));
     FAIL();
   } catch (const core::InputError& error) {
     EXPECT_EQ(error.fieldPath(), "simulation.fluids[0].blocks[0]");
@@ -242,129 +165,6 @@ TEST(Bodies, NoBoundaryLoopWithoutAWallNear) {
   };
   EXPECT_FALSE(hasBoundary(FluidSimulation(settings, listOf({sphere({2, 0, 0}, 0.3)}))));
   EXPECT_TRUE(hasBoundary(FluidSimulation(settings, listOf({sphere({0.5, 0, 0}, 0.3)}))));
-}
-
-class EverySolverAtBodies : public testing::TestWithParam<const char*> {
- protected:
-  static v1::Simulation tank() {
-    v1::Simulation settings = emptyTank();
-    const std::string name = GetParam();
-    if (name == "iisph") settings.mutable_iisph();
-    if (name == "pbf") settings.mutable_pbf();
-    if (name == "wcsph") settings.mutable_wcsph();
-    return settings;
-  }
-};
-
-// Loose particles among them, which no pressure stops: the plate is thinner than a fast particle's step.
-TEST_P(EverySolverAtBodies, AJetDoesNotGoThroughAPlate) {
-  v1::Simulation settings = tank();
-  settings.mutable_gravity()->set_y(0);
-  settings.mutable_time_step()->set_cfl(1);
-  addBlock(settings, {-0.5, -0.1, -0.1}, 5, 5, 5, {8, 0, 0});
-  addBlock(settings, {-0.8, 0.4, 0.4}, 1, 1, 1, {8, 0, 0});
-  FluidSimulation simulation(settings, listOf({box({0.1, 0, 0}, {0.06, 1.999, 1.999})}));
-  runUntil(simulation, 0.25);
-  EXPECT_EQ(simulation.halted(), "");
-  // With integrated densities even a lone particle is stopped by pressure.
-  EXPECT_TRUE(simulation.wallContacts() > 0 || settings.has_wcsph());
-  forEachParticle(simulation, [](const Vector3d& x) { EXPECT_LT(x.x(), 0.07); });
-}
-
-TEST_P(EverySolverAtBodies, AColumnFallsAroundASphere) {
-  v1::Simulation settings = tank();
-  addBlock(settings, {-0.1, -0.4, -0.1}, 5, 8, 5, {0, -4, 0});
-  FluidSimulation simulation(settings, listOf({sphere({0.01, -0.7, 0.02}, 0.2)}));
-  runUntil(simulation, 0.25);
-  EXPECT_EQ(simulation.halted(), "");
-  forEachParticle(simulation,
-                  [](const Vector3d& x) { EXPECT_GT((x - Vector3d(0.01, -0.7, 0.02)).norm(), 0.2 + 0.4 * kSpacing); });
-}
-
-INSTANTIATE_TEST_SUITE_P(All, EverySolverAtBodies, testing::Values("dfsph", "iisph", "pbf", "wcsph"),
-                         [](const auto& solver) { return std::string(solver.param); });
-
-/// Water that a square column of it leaves in a vessel 0.5 m wide: nobody is outside, the surface is level.
-void expectRest(const v1::Body& vessel, int across) {
-  v1::Simulation settings = emptyTank();
-  const double half = 0.5 * kSpacing * (across - 1);
-  addBlock(settings, {-half, -0.35, -half}, across, 10, across, {0, 0, 0});
-  FluidSimulation simulation(settings, listOf({vessel}));
-  EXPECT_EQ(simulation.state().size(), static_cast<std::size_t>(across * across * 10));
-  runUntil(simulation, 2);
-  EXPECT_EQ(simulation.halted(), "");
-  EXPECT_LT(simulation.statistics().meanDensityError, 2e-3);
-  EXPECT_LT(simulation.statistics().maxDensityError, 0.1);
-  // The highest particle over each of four quarters.
-  std::array<double, 4> top{-1, -1, -1, -1};
-  forEachParticle(simulation, [&](const Vector3d& x) {
-    EXPECT_LT(std::abs(x.x()), 0.25);
-    EXPECT_LT(std::abs(x.z()), 0.25);
-    EXPECT_GT(x.y(), -0.4);
-    double& highest = top[(x.x() > 0 ? 1U : 0U) + (x.z() > 0 ? 2U : 0U)];
-    highest = std::max(highest, x.y());
-  });
-  const auto [low, high] = std::minmax_element(top.begin(), top.end());
-  EXPECT_LT(*high - *low, kSpacing);
-  EXPECT_LT(*high, 0.2);
-  EXPECT_GT(*low, -0.15);
-}
-
-TEST(Bodies, WaterRestsInAnOpenBox) { expectRest(box({0, -0.1, 0}, {0.5, 0.6, 0.5}, true), 9); }
-TEST(Bodies, WaterRestsInAnOpenCylinder) { expectRest(cylinder({0, -0.1, 0}, 0.25, 0.6, true), 7); }
-
-/// How fast pressure grows with depth over hydrostatics' ρ0 g, by least squares over particles at rest for which
-/// `counts` says so. Next to a wall particles carry about twice the pressure, because a wall answers with κ_i alone and
-/// not κ_i + κ_j; they, and the surface, which stands within a spacing of where it should, are to be left out.
-template <class Counts>
-double pressureGradient(FluidSimulation& simulation, const Counts& counts) {
-  runUntil(simulation, 2);
-  double n = 0, sumY = 0, sumP = 0, sumYY = 0, sumYP = 0;
-  // Over some steps, because single steps flicker about the mean.
-  for (int step = 0; step < 40; ++step) {
-    EXPECT_TRUE(simulation.advance());
-    const auto snapshot = simulation.snapshot();
-    for (std::size_t i = 0; i < snapshot->size(); ++i) {
-      const Vector3d x = snapshot->positions[i].cast<double>();
-      if (!counts(x)) continue;
-      const double p = static_cast<double>(snapshot->pressures[i]) / (1000 * 9.81);
-      ++n;
-      sumY += x.y();
-      sumP += p;
-      sumYY += x.y() * x.y();
-      sumYP += x.y() * p;
-    }
-  }
-  EXPECT_GT(n, 40 * 50) << "too few to tell";
-  return -(sumYP - sumY * sumP / n) / (sumYY - sumY * sumY / n);
-}
-
-/// 15 %, as of a column in a box: see Physics.PressureInAColumnGrowsWithDepth.
-constexpr double kPressureTolerance = 0.15;
-
-TEST(Bodies, PressureGrowsWithDepthInAnOpenCylinder) {
-  v1::Simulation settings = emptyTank();
-  settings.mutable_dfsph()->set_density_error(0.005);
-  addBlock(settings, {-0.25, -0.35, -0.25}, 11, 14, 11, {0, 0, 0});
-  FluidSimulation simulation(settings, listOf({cylinder({0, 0.1, 0}, 0.4, 1, true)}));
-  const double gradient = pressureGradient(simulation, [](const Vector3d& x) {
-    return std::hypot(x.x(), x.z()) < 0.4 - 2.5 * kSpacing && x.y() > -0.4 + 2.5 * kSpacing && x.y() < 0;
-  });
-  EXPECT_NEAR(gradient, 1, kPressureTolerance);
-}
-
-TEST(Bodies, PressureGrowsWithDepthAroundACylinder) {
-  v1::Simulation settings = emptyTank();
-  settings.mutable_dfsph()->set_density_error(0.005);
-  set(settings.mutable_container()->mutable_min(), -0.6, -1, -0.6);
-  set(settings.mutable_container()->mutable_max(), 0.6, 1, 0.6);
-  addBlock(settings, {-0.55, -0.95, -0.55}, 23, 14, 23, {0, 0, 0});
-  FluidSimulation simulation(settings, listOf({cylinder({0, -0.5, 0}, 0.25, 1)}));
-  const double gradient = pressureGradient(simulation, [](const Vector3d& x) {
-    return std::hypot(x.x(), x.z()) > 0.25 + 2.5 * kSpacing && std::abs(x.x()) < 0.6 - 2.5 * kSpacing &&
-           std::abs(x.z()) < 0.6 - 2.5 * kSpacing && x.y() > -1 + 2.5 * kSpacing && x.y() < -0.4;
-  });
-  EXPECT_NEAR(gradient, 1, kPressureTolerance);
 }
 
 TEST(Bodies, OnesThatAreOnlyDrawnHoldNothing) {

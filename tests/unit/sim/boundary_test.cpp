@@ -11,7 +11,6 @@
 namespace sluice::sim {
 namespace {
 
-constexpr double kSpacing = 0.05;
 constexpr double kSupport = 0.1;
 
 Discretisation discretisationOf(KernelKind kernel, double support) {

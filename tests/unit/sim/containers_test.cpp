@@ -16,14 +16,6 @@ namespace {
 using Eigen::Vector3d;
 using testing::HasSubstr;
 
-constexpr double kSpacing = 0.05;
-
-void set(v1::Vec3* v, double x, double y, double z) {
-  v->set_x(x);
-  v->set_y(y);
-  v->set_z(z);
-}
-
 /// A cube of water whose middle is at the origin.
 v1::Simulation waterCube(int across, const Vector3d& velocity, double spacing = kSpacing) {
   v1::Simulation settings = smallDamBreak();

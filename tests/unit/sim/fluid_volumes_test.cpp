@@ -15,16 +15,8 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kSpacing = 0.05;
-
-void set(v1::Vec3* v, double x, double y, double z) {
-  v->set_x(x);
-  v->set_y(y);
-  v->set_z(z);
-}
-
 /// A fluid without any volume in a container of 2 m about the origin, without gravity.
-v1::Simulation emptyTank() {
+v1::Simulation weightlessTank() {
   v1::Simulation simulation;
   simulation.set_particle_spacing(kSpacing);
   set(simulation.mutable_gravity(), 0, 0, 0);
@@ -59,16 +51,6 @@ v1::MeshVolume* addMesh(v1::Simulation& simulation, double scale, bool open = fa
   return mesh;
 }
 
-void expectRefused(const v1::Simulation& settings, const std::string& fieldPath, const std::string& reason) {
-  try {
-    const FluidSimulation simulation(settings);
-    FAIL() << "taken, though " << reason;
-  } catch (const core::InputError& error) {
-    EXPECT_EQ(error.fieldPath(), fieldPath);
-    EXPECT_THAT(error.problem(), HasSubstr(reason));
-  }
-}
-
 /// Calls `check` with each particle's place in the scene and its velocity.
 template <class Check>
 void forEach(const FluidSimulation& simulation, Check&& check) {
@@ -77,7 +59,7 @@ void forEach(const FluidSimulation& simulation, Check&& check) {
 }
 
 TEST(Ball, HoldsTheParticlesOfItsVolume) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addBall(settings, 0.1, -0.05, 0, 0.5)->mutable_velocity()->set_y(3);
   const FluidSimulation simulation(settings);
   const double expected = 4 * std::numbers::pi / 3 * std::pow(0.5 / kSpacing, 3);
@@ -89,7 +71,7 @@ TEST(Ball, HoldsTheParticlesOfItsVolume) {
 }
 
 TEST(Ball, IsAtRestDensityInside) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addBall(settings, 0, 0, 0, 0.4);
   const auto snapshot = FluidSimulation(settings).snapshot();
   int inner = 0;
@@ -102,7 +84,7 @@ TEST(Ball, IsAtRestDensityInside) {
 }
 
 TEST(Ball, FillsAPlanarSceneAsADisc) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   settings.set_planar(true);
   addBall(settings, 0, 0, 0.3, 0.5);
   const FluidSimulation simulation(settings);
@@ -114,7 +96,7 @@ TEST(Ball, FillsAPlanarSceneAsADisc) {
 }
 
 TEST(Ball, ReachingIntoAWallIsRefused) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addBall(settings, 0.7, 0, 0, 0.32);
   expectRefused(settings, "simulation.fluids[0].balls[0].centre", "within [-0.95, 0.95] m");
   settings.mutable_fluids(0)->mutable_balls(0)->set_radius(5000);
@@ -122,13 +104,13 @@ TEST(Ball, ReachingIntoAWallIsRefused) {
 }
 
 TEST(Ball, TooSmallForAParticleIsRefused) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addBall(settings, 0.025, 0.025, 0.025, 0.02);
   expectRefused(settings, "simulation.fluids[0].balls[0]", "holds no particle");
 }
 
 TEST(Ball, OfMoreParticlesThanMemoryIsRefusedBeforeAnyIsMade) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addBall(settings, 0, 0, 0, 0.5);
   try {
     const FluidSimulation simulation(settings, {.availableMemory = 1 << 20});
@@ -140,7 +122,7 @@ TEST(Ball, OfMoreParticlesThanMemoryIsRefusedBeforeAnyIsMade) {
 }
 
 TEST(MeshVolume, OfMoreParticlesThanMemoryIsRefused) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addMesh(settings, 0.9);
   try {
     const FluidSimulation simulation(settings, {.availableMemory = 1 << 20});
@@ -152,7 +134,7 @@ TEST(MeshVolume, OfMoreParticlesThanMemoryIsRefused) {
 }
 
 TEST(Volumes, OfAnyKindMustNotOverlap) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addBall(settings, 0, 0, 0, 0.3);
   addBall(settings, 0.4, 0, 0, 0.3);
   expectRefused(settings, "simulation.fluids[0].balls[1].centre", "the ball overlaps simulation.fluids[0].balls[0]");
@@ -166,14 +148,14 @@ TEST(Volumes, OfAnyKindMustNotOverlap) {
 }
 
 TEST(Volumes, OfOneLatticeFitTogetherSideBySide) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addBall(settings, -0.3, 0, 0, 0.3);
   addBall(settings, 0.3, 0, 0, 0.3);
   EXPECT_NO_THROW(FluidSimulation{settings});
 }
 
 TEST(Volumes, AFluidWithoutAnyIsRefused) {
-  expectRefused(emptyTank(), "simulation.fluids[0]", "needs at least one");
+  expectRefused(weightlessTank(), "simulation.fluids[0]", "needs at least one");
   v1::Simulation settings = smallDamBreak();
   settings.add_fluids();
   expectRefused(settings, "simulation.fluids[1]", "needs at least one");
@@ -188,7 +170,7 @@ TEST(Volumes, MoreThanTheScenesOwnBudgetAreRefused) {
 }
 
 TEST(MeshVolume, HoldsTheParticlesThatItEncloses) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   v1::MeshVolume* mesh = addMesh(settings, 0.6);
   set(mesh->mutable_position(), 0.013, -0.1, 0.07);
   mesh->mutable_velocity()->set_x(-2);
@@ -202,7 +184,7 @@ TEST(MeshVolume, HoldsTheParticlesThatItEncloses) {
 }
 
 TEST(MeshVolume, TurnsWithItsRotation) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addMesh(settings, 0.6)->mutable_rotation_degrees()->set_z(45);
   const double diagonal = std::numbers::sqrt2 / 2;
   const FluidSimulation simulation(settings);
@@ -215,7 +197,7 @@ TEST(MeshVolume, TurnsWithItsRotation) {
 }
 
 TEST(MeshVolume, OpenOrMissingIsRefused) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addMesh(settings, 0.6, true);
   expectRefused(settings, "simulation.fluids[0].meshes[0].path", "open surface");
   settings.mutable_fluids(0)->mutable_meshes(0)->set_path("no_such_file.obj");
@@ -223,7 +205,7 @@ TEST(MeshVolume, OpenOrMissingIsRefused) {
 }
 
 TEST(MeshVolume, OutsideTheContainerIsRefused) {
-  v1::Simulation settings = emptyTank();
+  v1::Simulation settings = weightlessTank();
   addMesh(settings, 0.6)->mutable_position()->set_z(0.8);
   expectRefused(settings, "simulation.fluids[0].meshes[0].position", "the mesh has a particle at z = 1 m");
   settings.mutable_fluids(0)->mutable_meshes(0)->mutable_position()->set_z(8);

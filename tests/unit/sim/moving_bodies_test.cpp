@@ -20,31 +20,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSpacing = 0.05;
-
-void set(v1::Vec3* v, const Vector3d& to) {
-  v->set_x(to.x());
-  v->set_y(to.y());
-  v->set_z(to.z());
-}
-
-v1::Body box(const Vector3d& middle, const Vector3d& size) {
-  v1::Body body;
-  set(body.mutable_position(), middle);
-  set(body.mutable_box()->mutable_size(), size);
-  return body;
-}
-
 v1::Body floatingBox(const Vector3d& middle, const Vector3d& size, double density) {
   v1::Body body = box(middle, size);
   body.mutable_floating()->set_density(density);
   return body;
-}
-
-Bodies::List listOf(std::initializer_list<v1::Body> bodies) {
-  Bodies::List list;
-  for (const v1::Body& body : bodies) *list.Add() = body;
-  return list;
 }
 
 /// A pool `width` particles square, `layers` deep and as much air above.

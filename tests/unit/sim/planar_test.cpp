@@ -103,5 +103,21 @@ TEST(Planar, WhatLeadsOutOfThePlaneIsRefused) {
   expectRefused(settings, "simulation.fluids[0].blocks[1].first_particle.z");
 }
 
+// A lattice is in balance beside walls and in corners too: it neither sinks nor is it stirred.
+TEST(Planar, ALatticeStaysWhereItIs) {
+  FluidSimulation simulation(planarColumn(12, 24));
+  runUntil(simulation, 0.5);
+  ASSERT_EQ(simulation.halted(), "");
+  double squares = 0;
+  double highest = 0;
+  for (std::size_t i = 0; i < simulation.state().size(); ++i) {
+    const Float4& v = simulation.state().velocity[i];
+    squares += v.x * v.x + v.y * v.y + v.z * v.z;
+    highest = std::max(highest, static_cast<double>(simulation.state().position[i].y));
+  }
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(simulation.state().size())), 0.02 * std::sqrt(9.81 * 1.2));
+  EXPECT_NEAR(highest, 1.2, 0.01);
+}
+
 }  // namespace
 }  // namespace sluice::sim

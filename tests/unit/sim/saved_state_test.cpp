@@ -13,12 +13,6 @@
 namespace sluice::sim {
 namespace {
 
-std::vector<std::uint8_t> saved(const FluidSimulation& simulation) {
-  core::StateWriter out;
-  simulation.save(out);
-  return out.bytes();
-}
-
 void resume(FluidSimulation& simulation, const std::vector<std::uint8_t>& bytes) {
   core::StateReader in(bytes, "state");
   simulation.resume(in);
@@ -33,10 +27,6 @@ std::string resumeError(FluidSimulation& simulation, const std::vector<std::uint
   }
   ADD_FAILURE() << "was taken";
   return {};
-}
-
-void advance(FluidSimulation& simulation, int steps) {
-  for (int step = 0; step < steps; ++step) ASSERT_TRUE(simulation.advance()) << simulation.halted();
 }
 
 struct Case {

@@ -1,12 +1,8 @@
 #include "wall_contact.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
-
-#include "fluid_simulation.h"
-#include "scenes.h"
 
 namespace sluice::sim {
 namespace {
@@ -55,31 +51,6 @@ TEST(WallContact, IsOfNoConsequenceWhereAParticleIsCompressed) {
   EXPECT_EQ(surplus.x, 0);
   EXPECT_EQ(surplus.y, 0);
   EXPECT_EQ(surplus.z, 0);
-}
-
-/// A column of liquid in two dimensions, 0.05 m apart.
-v1::Simulation planarColumn(std::uint32_t width, std::uint32_t layers) {
-  v1::Simulation settings = column(width, layers);
-  settings.set_planar(true);
-  settings.mutable_fluids(0)->mutable_blocks(0)->set_count_z(1);
-  settings.mutable_fluids(0)->mutable_blocks(0)->mutable_first_particle()->set_z(0);
-  return settings;
-}
-
-// A lattice is in balance beside walls and in corners too: it neither sinks nor is it stirred.
-TEST(WallContact, APlanarLatticeStaysWhereItIs) {
-  FluidSimulation simulation(planarColumn(12, 24));
-  runUntil(simulation, 0.5);
-  ASSERT_EQ(simulation.halted(), "");
-  double squares = 0;
-  double highest = 0;
-  for (std::size_t i = 0; i < simulation.state().size(); ++i) {
-    const Float4& v = simulation.state().velocity[i];
-    squares += v.x * v.x + v.y * v.y + v.z * v.z;
-    highest = std::max(highest, static_cast<double>(simulation.state().position[i].y));
-  }
-  EXPECT_LT(std::sqrt(squares / static_cast<double>(simulation.state().size())), 0.02 * std::sqrt(9.81 * 1.2));
-  EXPECT_NEAR(highest, 1.2, 0.01);
 }
 
 }  // namespace
