@@ -133,23 +133,23 @@ void NeighbourLists::addBoundary(const Boundary& boundary, WallAnswer answer, co
       if (around.points == 0) return;
       buffer.gather(around, boundary.points(), scale_.period,
                     [&](std::size_t slot, std::uint32_t b) { buffer.setVolume(slot, boundary.volumes()[b]); });
+      if (answer == WallAnswer::Once) {
+        loops_->addBoundary(scale_, buffer.view(), positions.data(), first, last, sums());
+        return;
+      }
       walls.resize(last - first);
-      loops_->addBoundary(scale_, buffer.view(), positions.data(), first, last, sums(), walls.data());
-      for (std::uint32_t i = first; i < last; ++i) answerAs(answer, walls[i - first], i, contacts);
+      loops_->weighBoundary(scale_, buffer.view(), positions.data(), first, last, sums(), walls.data());
+      for (std::uint32_t i = first; i < last; ++i) addMirror(walls[i - first], i, contacts);
     });
     wallContacts_[chunk.index].assign(contacts.begin(), contacts.end());  // no more room than they need
   });
 }
 
-void NeighbourLists::answerAs(WallAnswer answer, const WallSums& wall, std::uint32_t i,
-                              std::vector<WallContact>& contacts) {
+void NeighbourLists::addMirror(const WallSums& wall, std::uint32_t i, std::vector<WallContact>& contacts) {
   const Float4& once = wall.gradient;
   if (once.x == 0 && once.y == 0 && once.z == 0) return;
-  float times = 1;
-  if (answer == WallAnswer::Mirrored) {
-    times = wallMirror(density_[i]);
-    contacts.push_back(wallContact(i, wall, density_[i]));
-  }
+  const float times = wallMirror(density_[i]);
+  contacts.push_back(wallContact(i, wall, times));
   Float4& sum = gradientSum_[i];
   sum = {sum.x + times * once.x, sum.y + times * once.y, sum.z + times * once.z, 0};
 }

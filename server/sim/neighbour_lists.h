@@ -58,7 +58,7 @@ class NeighbourLists {
 
  private:
   PairSums sums();
-  void answerAs(WallAnswer answer, const WallSums& wall, std::uint32_t i, std::vector<WallContact>& contacts);
+  void addMirror(const WallSums& wall, std::uint32_t i, std::vector<WallContact>& contacts);
 
   const PairLoops* loops_;
   PairScale scale_;

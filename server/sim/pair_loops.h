@@ -128,10 +128,14 @@ struct PairLoops {
   PairGroup* (*findNeighbours)(const PairScale&, const Candidates&, const Float4* position, std::uint32_t first,
                                std::uint32_t last, PairGroup* out, const PairSums&);
 
-  /// Adds the boundary particles among `candidates` to the densities and neighbours of particles [first, last) and
-  /// writes their other sums to `walls`, the first particle's first.
+  /// Adds the boundary particles among `candidates` to the sums of particles [first, last).
   void (*addBoundary)(const PairScale&, const Candidates&, const Float4* position, std::uint32_t first,
-                      std::uint32_t last, const PairSums&, WallSums* walls);
+                      std::uint32_t last, const PairSums&);
+
+  /// As addBoundary, but to densities and neighbours alone: what mirrors are made of goes to `walls`, the first
+  /// particle's first.
+  void (*weighBoundary)(const PairScale&, const Candidates&, const Float4* position, std::uint32_t first,
+                        std::uint32_t last, const PairSums&, WallSums* walls);
 
   /// Writes Σ_j w_j |V_j ∇W_ij|², 1/m². `mobility` has fluids.
   void (*weighSquares)(const PairList&, const Mobility& mobility, float* result);

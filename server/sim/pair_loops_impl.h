@@ -14,6 +14,7 @@ const PairLoops SLUICE_PAIR_LOOPS{
     .instructionSet = SLUICE_INSTRUCTION_SET,
     .findNeighbours = findNeighbours,
     .addBoundary = addBoundary,
+    .weighBoundary = weighBoundary,
     .weighSquares = weighSquares,
     .applyImpulses = applyImpulses,
     .relaxImpulses = relaxImpulses,

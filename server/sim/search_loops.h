@@ -102,7 +102,7 @@ PairGroup* findNeighbours(const PairScale& scale, const Candidates& candidates, 
   return findNeighboursOf<CubicSpline>(scale, candidates, position, first, last, out, sums);
 }
 
-template <class Kernel>
+template <class Kernel, bool kMirrored>
 SLUICE_INLINE void addBoundaryOf(const PairScale& scale, const Candidates& candidates, const Float4* position,
                                  std::uint32_t first, std::uint32_t last, const PairSums& sums, WallSums* walls) {
   const float inverseSupport = 1 / scale.support;
@@ -129,36 +129,55 @@ SLUICE_INLINE void addBoundaryOf(const PairScale& scale, const Candidates& candi
       gx += px;
       gy += py;
       gz += pz;
-      xx += px * dx;
-      yy += py * dy;
-      zz += pz * dz;
-      xy += px * dy;
-      xz += px * dz;
-      yz += py * dz;
+      if constexpr (kMirrored) {
+        xx += px * dx;
+        yy += py * dy;
+        zz += pz * dz;
+        xy += px * dy;
+        xz += px * dz;
+        yz += py * dz;
+      }
       near += static_cast<std::uint32_t>(__builtin_popcount(bitsOf(q < 1.0F)));
     }
     sums.density[i] += scale.value * sumLanes(values);
     sums.neighbours[i] = static_cast<std::uint16_t>(sums.neighbours[i] + near);
     const float slope = scale.slope;
-    walls[i - first] = {{slope * sumLanes(gx), slope * sumLanes(gy), slope * sumLanes(gz), 0},
-                        -slope * sumLanes(xx),
-                        -slope * sumLanes(yy),
-                        -slope * sumLanes(zz),
-                        -slope * sumLanes(xy),
-                        -slope * sumLanes(xz),
-                        -slope * sumLanes(yz)};
+    const Float4 once = {slope * sumLanes(gx), slope * sumLanes(gy), slope * sumLanes(gz), 0};
+    if constexpr (kMirrored) {
+      walls[i - first] = {once,
+                          -slope * sumLanes(xx),
+                          -slope * sumLanes(yy),
+                          -slope * sumLanes(zz),
+                          -slope * sumLanes(xy),
+                          -slope * sumLanes(xz),
+                          -slope * sumLanes(yz)};
+    } else {
+      Float4& gradient = sums.gradientSum[i];
+      gradient = {gradient.x + once.x, gradient.y + once.y, gradient.z + once.z, 0};
+    }
   }
 }
 
-void addBoundary(const PairScale& scale, const Candidates& candidates, const Float4* position, std::uint32_t first,
-                 std::uint32_t last, const PairSums& sums, WallSums* walls) {
+template <bool kMirrored>
+SLUICE_INLINE void addBoundaryBy(const PairScale& scale, const Candidates& candidates, const Float4* position,
+                                 std::uint32_t first, std::uint32_t last, const PairSums& sums, WallSums* walls) {
   switch (scale.kernel) {
     case KernelKind::WendlandC2:
-      return addBoundaryOf<WendlandC2>(scale, candidates, position, first, last, sums, walls);
+      return addBoundaryOf<WendlandC2, kMirrored>(scale, candidates, position, first, last, sums, walls);
     case KernelKind::CubicSpline:
       break;
   }
-  addBoundaryOf<CubicSpline>(scale, candidates, position, first, last, sums, walls);
+  addBoundaryOf<CubicSpline, kMirrored>(scale, candidates, position, first, last, sums, walls);
+}
+
+void addBoundary(const PairScale& scale, const Candidates& candidates, const Float4* position, std::uint32_t first,
+                 std::uint32_t last, const PairSums& sums) {
+  addBoundaryBy<false>(scale, candidates, position, first, last, sums, nullptr);
+}
+
+void weighBoundary(const PairScale& scale, const Candidates& candidates, const Float4* position, std::uint32_t first,
+                   std::uint32_t last, const PairSums& sums, WallSums* walls) {
+  addBoundaryBy<true>(scale, candidates, position, first, last, sums, walls);
 }
 
 }  // namespace

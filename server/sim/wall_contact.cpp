@@ -1,7 +1,6 @@
 #include "wall_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <Eigen/Core>
@@ -21,10 +20,10 @@ constexpr float kMirroringNoMore = 0.02F;
 /// So little of the liquid is left on the particle's side that the rest cannot stand for all.
 constexpr float kLargestShare = 0.75F;
 
-/// λ/(1 - λ): what is missing over what is there.
+/// What is missing over what is there, of 1.
 float missing(float share) {
-  const float present = std::clamp(share, 0.0F, kLargestShare);
-  return present / (1 - present);
+  const float absent = std::clamp(share, 0.0F, kLargestShare);
+  return absent / (1 - absent);
 }
 
 }  // namespace
@@ -34,7 +33,7 @@ float wallMirror(float density) {
   return 1 + std::clamp((kMirroringNoMore - compression) / (kMirroringNoMore - kMirroring), 0.0F, 1.0F);
 }
 
-WallContact wallContact(std::uint32_t particle, const WallSums& sums, float density) {
+WallContact wallContact(std::uint32_t particle, const WallSums& sums, float mirror) {
   WallContact contact;
   contact.particle = particle;
 
@@ -56,8 +55,8 @@ WallContact wallContact(std::uint32_t particle, const WallSums& sums, float dens
   const float radius = std::hypot(0.5F * (a - c), b);
   const Vector3f along = std::cos(angle) * first + std::sin(angle) * second;
   const Vector3f across = std::cos(angle) * second - std::sin(angle) * first;
-  const Matrix3f surplus = (wallMirror(density) - 1) * (missing(middle + radius) * along * along.transpose() +
-                                                        missing(middle - radius) * across * across.transpose());
+  const Matrix3f surplus = (mirror - 1) * (missing(middle + radius) * along * along.transpose() +
+                                           missing(middle - radius) * across * across.transpose());
   contact.xx = surplus(0, 0);
   contact.yy = surplus(1, 1);
   contact.zz = surplus(2, 2);

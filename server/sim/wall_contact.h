@@ -55,7 +55,7 @@ struct WallContact {
 /// How often the wall's gradient counts, 1 to 2, beside a particle with the normalised density `density`.
 float wallMirror(float density);
 
-/// Of a particle with the normalised density `density`.
-WallContact wallContact(std::uint32_t particle, const WallSums& sums, float density);
+/// Of a particle whose wall counts `mirror` times.
+WallContact wallContact(std::uint32_t particle, const WallSums& sums, float mirror);
 
 }  // namespace sluice::sim

@@ -246,4 +246,25 @@ double meanEnergy(const FluidSimulation& simulation) {
   return energy / static_cast<double>(state.size());
 }
 
+double pressureGradient(FluidSimulation& simulation, const std::function<bool(const Eigen::Vector3d&)>& counts) {
+  double n = 0, sumY = 0, sumP = 0, sumYY = 0, sumYP = 0;
+  // Over some steps, because single steps flicker about the mean.
+  for (int step = 0; step < 40; ++step) {
+    EXPECT_TRUE(simulation.advance());
+    const auto snapshot = simulation.snapshot();
+    for (std::size_t i = 0; i < snapshot->size(); ++i) {
+      const Eigen::Vector3d x = snapshot->positions[i].cast<double>();
+      if (!counts(x)) continue;
+      const double p = static_cast<double>(snapshot->pressures[i]) / (1000 * 9.81);
+      ++n;
+      sumY += x.y();
+      sumP += p;
+      sumYY += x.y() * x.y();
+      sumYP += x.y() * p;
+    }
+  }
+  EXPECT_GT(n, 40 * 50) << "too few to tell";
+  return -(sumYP - sumY * sumP / n) / (sumYY - sumY * sumY / n);
+}
+
 }  // namespace sluice::sim

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -97,5 +98,10 @@ void runUntil(FluidSimulation& simulation, double seconds);
 
 /// ½ Σ v² + Σ g y, per particle, m²/s².
 double meanEnergy(const FluidSimulation& simulation);
+
+/// How fast pressure grows with depth over hydrostatics' ρ0 g, by least squares over 40 steps and the particles at rest
+/// for which `counts` says so. Those next to a wall, and at the surface, which stands within a spacing of where it
+/// should, are to be left out.
+double pressureGradient(FluidSimulation& simulation, const std::function<bool(const Eigen::Vector3d&)>& counts);
 
 }  // namespace sluice::sim

@@ -17,7 +17,7 @@ TEST(WallContact, MirrorsWhereDensityIsThatAtRest) {
 // N of a flat wall below: a quarter along it.
 TEST(WallContact, MakesUpForTheWallsShareAlongItAndNotAcross) {
   const WallSums floor{.gradient = {0, 8, 0, 0}, .xx = 0.25F, .yy = 0.5F, .zz = 0.25F};
-  const WallContact contact = wallContact(7, floor, 1);
+  const WallContact contact = wallContact(7, floor, 2);
   EXPECT_EQ(contact.particle, 7U);
   const Float4 along = contact.surplus({3, 0, 0, 0});
   EXPECT_NEAR(along.x, 3 * (1 / 0.75 - 1), 1e-5);
@@ -36,7 +36,7 @@ TEST(WallContact, KeepsTheAxesOfTheShare) {
                       .yy = 0.5F * s * s + 0.2F * c * c,
                       .zz = 0.4F,
                       .xy = 0.3F * c * s};
-  const WallContact contact = wallContact(0, wall, 1);
+  const WallContact contact = wallContact(0, wall, 2);
   const Float4 first = contact.surplus({c, s, 0, 0});
   EXPECT_NEAR(first.x, c, 1e-4);
   EXPECT_NEAR(first.y, s, 1e-4);
@@ -45,9 +45,9 @@ TEST(WallContact, KeepsTheAxesOfTheShare) {
   EXPECT_NEAR(second.y, 0.25 * c, 1e-4);
 }
 
-TEST(WallContact, IsOfNoConsequenceWhereAParticleIsCompressed) {
+TEST(WallContact, IsOfNoConsequenceWhereTheWallAnswersOnce) {
   const WallSums floor{.gradient = {0, 8, 0, 0}, .xx = 0.25F, .yy = 0.5F, .zz = 0.25F};
-  const Float4 surplus = wallContact(0, floor, 1.1F).surplus({1, 1, 1, 0});
+  const Float4 surplus = wallContact(0, floor, 1).surplus({1, 1, 1, 0});
   EXPECT_EQ(surplus.x, 0);
   EXPECT_EQ(surplus.y, 0);
   EXPECT_EQ(surplus.z, 0);
